@@ -1,0 +1,95 @@
+#pragma once
+/// \file
+/// What grading one submission produced: the one structure that every report is written from.
+
+#include "image/image.hpp"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace ggrade::report {
+
+/// How grading a submission ended. Always told apart; only `notGradable` is our fault.
+enum class Outcome {
+  graded,
+  buildFailed,
+  shaderError,
+  glError, ///< frames came and were scored, but OpenGL reported errors
+  noFrame, ///< never swapped buffers
+  timeout,
+  crash,
+  outOfMemory,
+  badOutput,
+  notGradable
+};
+
+/// `graded`, `build_failed`, ... as in the contract.
+std::string_view name(Outcome outcome);
+/// One sentence for a person.
+std::string_view explanation(Outcome outcome);
+
+enum class ItemKind { gain, keep, bonus };
+
+/// One rubric item. `points` come from assignment.json.
+struct Item {
+  std::string id; ///< "mirror.shading"
+  std::string title;
+  std::string looksAt; ///< what the item looks at, one sentence
+  ItemKind kind = ItemKind::gain;
+  double points = 0;    ///< most that it can give (gain, bonus) or take away (keep)
+  double earned = 0;    ///< 0 to points (gain, bonus) or -points to 0 (keep)
+  bool judged = false;  ///< false: the judge never reached it
+  std::string message;  ///< what was seen, with numbers
+  std::string cause;    ///< what a failure most likely means; empty when all points were earned
+  std::string step;     ///< heading of the handout to read again; empty when all points were earned
+  bool beyondLecture = false;
+  std::vector<std::pair<std::string, double>> credits; ///< scene name and credit 0 to 1
+};
+
+/// One frame as a person compares it. Images are RGBA, 0 to 1, and may be empty (no frame came).
+struct Frame {
+  double time = 0; ///< seconds
+  Image student, reference, difference;
+  double wrongShare = 0; ///< of all pixels, tolerant comparison
+};
+
+struct Scene {
+  std::string name;
+  bool isPublic = false;
+  std::string outcome; ///< contract name of what happened in this scene
+  std::string detail;  ///< one sentence with the evidence
+  std::vector<Frame> frames;
+  std::vector<std::string> messages; ///< GL errors and notices of the capture, UTF-8
+  std::string output;                ///< stdout and stderr of the run: the instructor's page only
+  double seconds = 0;
+};
+
+struct Timing {
+  std::string what;
+  double seconds = 0;
+};
+
+struct Result {
+  std::string assignment; ///< "floor"
+  std::string part;       ///< "mirror", or the assignment's ID when all parts are graded
+  std::string title;
+  std::string submission; ///< display name
+  Outcome outcome = Outcome::notGradable;
+  std::string detail; ///< one or two sentences: what happened and what to do
+  double score = 0;   ///< gain and keep, never below 0
+  double bonus = 0;
+  double maxScore = 0;
+  std::vector<Item> items;
+  std::vector<Scene> scenes;
+  std::string compilerOutput;          ///< valid UTF-8, the student's file names
+  std::vector<std::string> unusedFiles; ///< what the upload held besides, with the reason
+  std::vector<Timing> timings;
+  std::uint64_t seed = 0;
+  std::string sandbox; ///< "bwrap" or "none"
+  std::vector<std::pair<std::string, std::string>> fingerprint; ///< renderer, compiler, tool version, pins
+};
+
+} // namespace ggrade::report
