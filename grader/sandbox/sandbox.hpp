@@ -33,17 +33,19 @@ struct Limits {
   std::uint64_t fileBytes = 64ull << 20;           ///< largest file (RLIMIT_FSIZE)
   std::uint64_t scratchBytes = 64ull << 20;        ///< size of each writable tmpfs
   std::uint32_t processes = 64;                    ///< processes and threads (RLIMIT_NPROC)
-  std::uint64_t outputBytes = 1ull << 20;          ///< kept of stdout and of stderr, each; the rest is read and dropped
+  std::uint64_t outputBytes =
+      1ull << 20; ///< kept of stdout and of stderr, each; the rest is read and dropped
 };
 
 /// What to run. The command starts with an empty environment but for `environment`, in `/scratch`
-/// (a private tmpfs) unless `workingDirectory` says otherwise. Besides `mounts` it sees /usr (read-only),
-/// a minimal /etc, /dev and /proc of its own, and nothing else of the host.
+/// (a private tmpfs) unless `workingDirectory` says otherwise. Besides `mounts` it sees /usr
+/// (read-only), a minimal /etc, /dev and /proc of its own, and nothing else of the host.
 struct Command {
   std::vector<std::string> arguments; ///< arguments[0] is an absolute path inside
   std::vector<std::pair<std::string, std::string>> environment;
   std::vector<Mount> mounts;
-  std::vector<Mount> privateCopies; ///< folders copied into a tmpfs of the run's own, writable, discarded
+  std::vector<Mount>
+      privateCopies; ///< folders copied into a tmpfs of the run's own, writable, discarded
   std::filesystem::path workingDirectory = "/scratch";
   int inheritedDescriptor = -1; ///< kept open, same number, in the command (the capture channel)
   /// After a successful exit this file inside is written to `collectInto` on the host, capped by
@@ -73,11 +75,13 @@ struct Result {
   std::string standardOutput; ///< raw bytes, capped
   std::string standardError;  ///< raw bytes, capped
   bool outputTruncated = false;
-  std::string detail; ///< one sentence with the limit and the value that met it
+  bool collected = false;     ///< `collectInto` was written
+  std::string collectProblem; ///< why it was not, after a successful exit
+  std::string detail;         ///< one sentence with the limit and the value that met it
 };
 
-/// Runs `command` to its end. Never throws for what the command does. When `cancel` becomes true the
-/// whole tree is killed within 0.1 s and the result says `interrupted`.
+/// Runs `command` to its end. Never throws for what the command does. When `cancel` becomes true
+/// the whole tree is killed within 0.1 s and the result says `interrupted`.
 Result run(const Command& command, Isolation isolation, const std::atomic<bool>* cancel = nullptr);
 
 /// Tries the sandbox once. Empty when it holds; otherwise one sentence with the remedy

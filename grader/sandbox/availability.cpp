@@ -1,0 +1,54 @@
+#include "sandbox.hpp"
+
+#include "bwrap_arguments.hpp"
+#include "helper_plan.hpp"
+
+#include <fstream>
+#include <unistd.h>
+
+namespace ggrade::sandbox {
+namespace {
+
+std::string setting(const char* path) {
+  std::string value;
+  std::ifstream(path) >> value;
+  return value;
+}
+
+/// The most likely reason why bwrap does not work here, with its remedy.
+std::string diagnose(const std::string& detail) {
+  if (setting("/proc/sys/kernel/apparmor_restrict_unprivileged_userns") == "1")
+    return "AppArmor keeps bwrap from making a user namespace (Ubuntu 23.10 and later). Remedy: "
+           "install an AppArmor profile for " +
+           std::string(kBwrap) +
+           " that grants `userns,` (package apparmor-profiles has bwrap-userns-restrict), or "
+           "sysctl kernel.apparmor_restrict_unprivileged_userns=0";
+  if (setting("/proc/sys/kernel/unprivileged_userns_clone") == "0")
+    return "unprivileged user namespaces are off. Remedy: sysctl "
+           "kernel.unprivileged_userns_clone=1";
+  if (setting("/proc/sys/user/max_user_namespaces") == "0")
+    return "user namespaces are off. Remedy: sysctl user.max_user_namespaces=10000";
+  for (const char* mark : {"/.dockerenv", "/run/.containerenv"})
+    if (access(mark, F_OK) == 0)
+      return "this container may not make namespaces (" + detail +
+             "). Remedy: run it with --privileged, or with --security-opt seccomp=unconfined "
+             "--security-opt systempaths=unconfined";
+  return "the sandbox does not work here: " + detail;
+}
+
+} // namespace
+
+std::optional<std::string> unavailable() {
+  if (access(kBwrap, X_OK) != 0)
+    return std::string(kBwrap) + " is missing. Remedy: apt-get install bubblewrap";
+  Command command;
+  command.arguments = {kHelperInside, "probe"};
+  command.limits.wallSeconds = 10;
+  const Result result = run(command, Isolation::bwrap);
+  if (result.end == End::exited && result.exitCode == 0) return std::nullopt;
+  if (result.end == End::setupFailed) return diagnose(result.detail);
+  if (result.end != End::exited) return "the sandbox's self-test failed: " + result.detail;
+  return "the sandbox leaks: it allowed " + result.standardOutput.substr(0, 200);
+}
+
+} // namespace ggrade::sandbox

@@ -1,0 +1,128 @@
+#include "process_tree.hpp"
+
+#include <cctype>
+#include <charconv>
+#include <cstring>
+#include <dirent.h>
+#include <fcntl.h>
+#include <memory>
+#include <string_view>
+#include <sys/vfs.h>
+
+namespace ggrade::sandbox {
+namespace {
+
+/// Kernel memory of a tmpfs file beyond its contents: without it, millions of empty files look
+/// free.
+constexpr std::uint64_t kInodeBytes = 1024;
+
+std::string readAt(int folder, const std::string& path) {
+  const Descriptor file(openat(folder, path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file) return {};
+  std::string text(4096, '\0');
+  const ssize_t count = read(file.get(), text.data(), text.size());
+  text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  return text;
+}
+
+/// The number behind `key` in /proc/PID/status, in bytes.
+std::uint64_t kilobytes(std::string_view status, std::string_view key) {
+  std::size_t at = status.find(key);
+  if (at == std::string_view::npos) return 0;
+  at = status.find_first_of("0123456789", at + key.size());
+  std::uint64_t value = 0;
+  if (at != std::string_view::npos)
+    std::from_chars(status.data() + at, status.data() + status.size(), value);
+  return value * 1024;
+}
+
+/// Fields 14 to 17 of /proc/PID/stat: utime, stime, cutime, cstime.
+double processorSeconds(std::string_view stat) {
+  // The name in parentheses is the program's choice and may hold anything.
+  std::size_t at = stat.rfind(')');
+  if (at == std::string_view::npos) return 0;
+  double ticks = 0;
+  for (int field = 3; field <= 17; ++field) {
+    at = stat.find(' ', at);
+    if (at == std::string_view::npos) return 0;
+    ++at;
+    std::uint64_t value = 0;
+    if (field >= 14 &&
+        std::from_chars(stat.data() + at, stat.data() + stat.size(), value).ec == std::errc{})
+      ticks += static_cast<double>(value);
+  }
+  static const double perSecond = static_cast<double>(sysconf(_SC_CLK_TCK));
+  return ticks / perSecond;
+}
+
+/// Adds one process. `sharedToo`: count shared memory; inside a namespace that is only files of a
+/// tmpfs, which are counted there, and what the supervisor passed in.
+void addProcess(Usage& usage, int proc, const std::string& pid, bool sharedToo) {
+  const std::string status = readAt(proc, pid + "/status");
+  if (status.empty()) return;
+  ++usage.processes;
+  for (const char* key : {"\nRssAnon:", "\nVmSwap:", "\nVmPTE:", "\nHugetlbPages:"})
+    usage.memoryBytes += kilobytes(status, key);
+  if (sharedToo) usage.memoryBytes += kilobytes(status, "\nRssShmem:");
+  usage.cpuSeconds += processorSeconds(readAt(proc, pid + "/stat"));
+}
+
+struct CloseFolder {
+  void operator()(DIR* folder) const { closedir(folder); }
+};
+
+} // namespace
+
+bool ProcessTree::openNamespace(pid_t pid, const std::vector<std::string>& writableFolders) {
+  const std::string root = "/proc/" + std::to_string(pid) + "/root";
+  for (const std::string& folder : writableFolders) {
+    folders_.emplace_back(open((root + folder).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+    if (!folders_.back()) return false;
+  }
+  proc_ = Descriptor(open((root + "/proc").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  return static_cast<bool>(proc_);
+}
+
+void ProcessTree::addNamespace(Usage& usage) const {
+  const std::unique_ptr<DIR, CloseFolder> listing(
+      fdopendir(openat(proc_.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
+  if (!listing) return;
+  while (const dirent* entry = readdir(listing.get()))
+    if (std::isdigit(static_cast<unsigned char>(entry->d_name[0])))
+      addProcess(usage, proc_.get(), entry->d_name, false);
+  for (const Descriptor& folder : folders_) {
+    struct statfs status {};
+    if (fstatfs(folder.get(), &status) != 0) continue;
+    usage.memoryBytes +=
+        (status.f_blocks - status.f_bfree) * static_cast<std::uint64_t>(status.f_bsize);
+    usage.memoryBytes += (status.f_files - status.f_ffree) * kInodeBytes;
+  }
+}
+
+void ProcessTree::addDescendants(Usage& usage) const {
+  const Descriptor proc(open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  std::vector<std::string> waiting{std::to_string(root_)};
+  while (!waiting.empty()) {
+    const std::string pid = waiting.back();
+    waiting.pop_back();
+    addProcess(usage, proc.get(), pid, true);
+    const std::unique_ptr<DIR, CloseFolder> threads(
+        fdopendir(openat(proc.get(), (pid + "/task").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
+    while (const dirent* thread = threads ? readdir(threads.get()) : nullptr) {
+      const std::string children =
+          readAt(proc.get(), pid + "/task/" + thread->d_name + "/children");
+      for (std::size_t at = 0, space = 0; (space = children.find(' ', at)) != std::string::npos;
+           at = space + 1)
+        waiting.push_back(children.substr(at, space - at));
+    }
+  }
+}
+
+Usage ProcessTree::measure() const {
+  Usage usage;
+  if (proc_) addNamespace(usage);
+  if (root_ > 0) addDescendants(usage);
+  return usage;
+}
+
+} // namespace ggrade::sandbox

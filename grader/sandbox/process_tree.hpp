@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// What a run uses right now: memory, processor time, processes.
+
+#include "descriptor.hpp"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ggrade::sandbox {
+
+struct Usage {
+  std::uint64_t memoryBytes =
+      0; ///< private memory, page tables and swap of all processes, plus files in memory
+  double cpuSeconds = 0; ///< of living processes and of the dead that their parents waited for
+  int processes = 0;
+};
+
+/// Measures a run from outside.
+class ProcessTree {
+public:
+  /// Counts every member of the PID namespace whose init has `pid` here, however it was started,
+  /// and the contents of `writableFolders`, each a tmpfs inside. False when the namespace is gone
+  /// already.
+  bool openNamespace(pid_t pid, const std::vector<std::string>& writableFolders);
+  /// Counts `pid` and its descendants, for runs without a namespace.
+  void openDescendants(pid_t pid) { root_ = pid; }
+
+  /// The sum over what lives at this moment. All zero before an `open...` and after the end.
+  Usage measure() const;
+
+private:
+  void addNamespace(Usage& usage) const;
+  void addDescendants(Usage& usage) const;
+
+  Descriptor proc_; ///< the namespace's own /proc: lists its members and nothing else
+  std::vector<Descriptor> folders_;
+  pid_t root_ = 0;
+};
+
+} // namespace ggrade::sandbox
