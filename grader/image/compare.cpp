@@ -1,0 +1,178 @@
+#include "image/compare.hpp"
+
+#include "image/neighbourhood.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <vector>
+
+namespace ggrade {
+namespace {
+
+void checkOptions(const Image& reference, const CompareOptions& options) {
+  if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
+    throw std::invalid_argument("compare: the tolerance must be 0 or more");
+  if (options.radius < 0 || options.radius > kMaxRadius)
+    throw std::invalid_argument("compare: the radius must be 0 to " + std::to_string(kMaxRadius));
+  if (options.channels < 0 || options.channels > 4)
+    throw std::invalid_argument("compare: channels must be 0 to 4");
+  if (options.windowSide < 1)
+    throw std::invalid_argument("compare: the window's side must be at least 1");
+  if (options.mask && !reference.empty() &&
+      (options.mask->width() != reference.width() || options.mask->height() != reference.height()))
+    throw std::invalid_argument("compare: the mask is " + std::to_string(options.mask->width()) +
+                                "x" + std::to_string(options.mask->height()) + ", the reference " +
+                                reference.sizeText());
+}
+
+Comparison refused(ComparisonStatus status, std::string message) {
+  Comparison result;
+  result.status = status;
+  result.message = std::move(message);
+  return result;
+}
+
+// Why the images cannot be compared; empty if they can.
+std::optional<Comparison> obstacle(const Image& student, const Image& reference, int channels,
+                                   const CompareOptions& options) {
+  if (student.empty()) return refused(ComparisonStatus::nothingToCompare, "there is no image");
+  if (reference.empty())
+    return refused(ComparisonStatus::nothingToCompare, "there is no reference image");
+  if (!sameSize(student, reference))
+    return refused(ComparisonStatus::sizesDiffer, "the image is " + student.sizeText() +
+                                                      ", the reference " + reference.sizeText());
+  const bool enough = student.channels() >= channels && reference.channels() >= channels;
+  if (!enough || (options.channels == 0 && student.channels() != reference.channels()))
+    return refused(ComparisonStatus::channelsDiffer,
+                   "the image has " + std::to_string(student.channels()) +
+                       " channels, the reference " + std::to_string(reference.channels()));
+  if (const auto bad = findNonFinite(student, channels)) {
+    auto result =
+        refused(ComparisonStatus::studentNotFinite, "the image: " + bad->text(student.channels()));
+    result.nonFinite = bad;
+    return result;
+  }
+  if (const auto bad = findNonFinite(reference, channels)) {
+    auto result = refused(ComparisonStatus::referenceNotFinite,
+                          "the reference: " + bad->text(reference.channels()));
+    result.nonFinite = bad;
+    return result;
+  }
+  if (options.mask && options.mask->count() == 0)
+    return refused(ComparisonStatus::nothingToCompare, "no pixel lies in the region to judge");
+  return std::nullopt;
+}
+
+// How far each value lies outside the other image's range, both ways; 0 or less is inside.
+void rangeErrors(std::span<const float> student, std::span<const float> reference,
+                 const NeighbourhoodRows& studentRange, const NeighbourhoodRows& referenceRange,
+                 std::vector<float>& errors) {
+  const std::size_t count = student.size();
+  errors.resize(count);
+  const float* s = student.data();
+  const float* r = reference.data();
+  const float *sLow = studentRange.low().data(), *sHigh = studentRange.high().data();
+  const float *rLow = referenceRange.low().data(), *rHigh = referenceRange.high().data();
+  float* __restrict out = errors.data();
+  const auto larger = [](float a, float b) { return a > b ? a : b; };
+  for (std::size_t i = 0; i < count; ++i)
+    out[i] =
+        larger(larger(rLow[i] - s[i], s[i] - rHigh[i]), larger(sLow[i] - r[i], r[i] - sHigh[i]));
+}
+
+PixelDifference pixelDifference(const Image& student, const Image& reference, int x, int y,
+                                int channel, float error) {
+  PixelDifference result{.x = x, .y = y, .channel = channel, .error = error};
+  std::ranges::copy(student.pixel(x, y), result.student.begin());
+  std::ranges::copy(reference.pixel(x, y), result.reference.begin());
+  return result;
+}
+
+std::string summary(const Comparison& result, int channels) {
+  char text[256];
+  int used = std::snprintf(text, sizeof text, "%.3g%% of %zu pixels differ",
+                           100 * result.wrongShare, result.judgedPixels);
+  if (result.wrongPixels > 0)
+    used += std::snprintf(
+        text + used, sizeof text - std::size_t(used), ", densest at (%d,%d): %.0f%% of %dx%d",
+        result.densest.x + result.densest.width / 2, result.densest.y + result.densest.height / 2,
+        100 * result.densest.share, result.densest.width, result.densest.height);
+  if (result.worst && result.wrongPixels > 0) {
+    const auto& worst = *result.worst;
+    const auto channel = std::size_t(worst.channel);
+    std::snprintf(text + used, sizeof text - std::size_t(used),
+                  ", worst at (%d,%d): %c is %.4g, expected %.4g", worst.x, worst.y,
+                  channelName(worst.channel, channels), double(worst.student[channel]),
+                  double(worst.reference[channel]));
+  }
+  return text;
+}
+
+// Judges the pixels of one row and adds what it finds to `result`, whose means are sums meanwhile.
+void judgeRow(const Image& student, const Image& reference, int y, int channels,
+              const std::vector<float>& errors, const CompareOptions& options, Comparison& result) {
+  const auto s = student.row(y), r = reference.row(y);
+  for (int x = 0; x < reference.width(); ++x) {
+    if (options.mask && !options.mask->at(x, y)) continue;
+    ++result.judgedPixels;
+    const std::size_t first = std::size_t(x) * std::size_t(reference.channels());
+    float error = 0;
+    int worstChannel = 0;
+    for (int c = 0; c < channels; ++c) {
+      const std::size_t i = first + std::size_t(c);
+      const double difference = double(s[i]) - double(r[i]);
+      result.meanAbsoluteError += std::abs(difference);
+      result.meanDifference += difference;
+      if (errors[i] > error) {
+        error = errors[i];
+        worstChannel = c;
+      }
+    }
+    if (error > options.tolerance) {
+      ++result.wrongPixels;
+      result.wrong.set(x, y);
+    }
+    if (error > (result.worst ? result.worst->error : 0.0f))
+      result.worst = pixelDifference(student, reference, x, y, worstChannel, error);
+  }
+}
+
+// Both images have the same size and channel count and are finite.
+Comparison judge(const Image& student, const Image& reference, int channels,
+                 const CompareOptions& options) {
+  Comparison result;
+  result.status = ComparisonStatus::compared;
+  result.wrong = Mask(reference.width(), reference.height());
+  NeighbourhoodRows studentRange(student, options.radius);
+  NeighbourhoodRows referenceRange(reference, options.radius);
+  std::vector<float> errors;
+  for (int y = 0; y < reference.height(); ++y) {
+    studentRange.advance();
+    referenceRange.advance();
+    rangeErrors(student.row(y), reference.row(y), studentRange, referenceRange, errors);
+    judgeRow(student, reference, y, channels, errors, options, result);
+  }
+  const double values = double(result.judgedPixels) * channels;
+  result.meanAbsoluteError /= values;
+  result.meanDifference /= values;
+  result.wrongShare = double(result.wrongPixels) / double(result.judgedPixels);
+  result.densest = densestWindow(result.wrong, options.windowSide);
+  result.message = summary(result, reference.channels());
+  return result;
+}
+
+} // namespace
+
+Comparison compare(const Image& student, const Image& reference, const CompareOptions& options) {
+  checkOptions(reference, options);
+  const int channels = options.channels == 0 ? reference.channels() : options.channels;
+  if (auto refusal = obstacle(student, reference, channels, options)) return *std::move(refusal);
+  if (student.channels() != reference.channels())
+    return judge(firstChannels(student, channels), firstChannels(reference, channels), channels,
+                 options);
+  return judge(student, reference, channels, options);
+}
+
+} // namespace ggrade

@@ -1,0 +1,100 @@
+#include "image/mask.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace ggrade {
+namespace {
+
+template <class Combine> Mask combined(const Mask& a, const Mask& b, Combine combine) {
+  if (a.width() != b.width() || a.height() != b.height())
+    throw std::invalid_argument("Mask: sizes differ: " + std::to_string(a.width()) + "x" +
+                                std::to_string(a.height()) + " and " + std::to_string(b.width()) +
+                                "x" + std::to_string(b.height()));
+  Mask result = a;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) result.set(x, y, combine(a.at(x, y), b.at(x, y)));
+  return result;
+}
+
+// Grows along one line of `length` pixels; `get` and `set` take a position on it. The cost does not
+// depend on the radius: only the distance to the last pixel inside is carried along.
+template <class Get, class Set> void dilateLine(int length, int radius, Get get, Set set) {
+  int sinceInside = radius + 1;
+  for (int i = 0; i < length; ++i) {
+    sinceInside = get(i) ? 0 : sinceInside + 1;
+    if (sinceInside <= radius) set(i);
+  }
+  sinceInside = radius + 1;
+  for (int i = length - 1; i >= 0; --i) {
+    sinceInside = get(i) ? 0 : sinceInside + 1;
+    if (sinceInside <= radius) set(i);
+  }
+}
+
+} // namespace
+
+Mask::Mask(int width, int height, bool value) {
+  if (width < 1 || height < 1 || width > Image::kMaxSide || height > Image::kMaxSide)
+    throw std::invalid_argument("Mask: " + std::to_string(width) + "x" + std::to_string(height) +
+                                " is not possible");
+  width_ = width;
+  height_ = height;
+  flags_.assign(std::size_t(width) * std::size_t(height), value ? 1 : 0);
+}
+
+std::size_t Mask::count() const {
+  return std::accumulate(flags_.begin(), flags_.end(), std::size_t(0));
+}
+
+Mask operator&(const Mask& a, const Mask& b) {
+  return combined(a, b, std::logical_and<>());
+}
+Mask operator|(const Mask& a, const Mask& b) {
+  return combined(a, b, std::logical_or<>());
+}
+Mask operator~(const Mask& mask) {
+  return combined(mask, mask, [](bool inside, bool) { return !inside; });
+}
+
+Mask dilate(const Mask& mask, int radius) {
+  if (radius < 0) throw std::invalid_argument("dilate: the radius is negative");
+  Mask wide = mask;
+  for (int y = 0; y < mask.height(); ++y)
+    dilateLine(
+        mask.width(), radius, [&](int x) { return mask.at(x, y); }, [&](int x) { wide.set(x, y); });
+  Mask result = wide;
+  for (int x = 0; x < mask.width(); ++x)
+    dilateLine(
+        mask.height(), radius, [&](int y) { return wide.at(x, y); },
+        [&](int y) { result.set(x, y); });
+  return result;
+}
+
+Mask erode(const Mask& mask, int radius) {
+  return ~dilate(~mask, radius);
+}
+
+Mask differenceMask(const Image& a, const Image& b, float threshold, int channels) {
+  if (!sameSize(a, b) || a.channels() != b.channels())
+    throw std::invalid_argument("differenceMask: " + a.sizeText() + "x" +
+                                std::to_string(a.channels()) + " and " + b.sizeText() + "x" +
+                                std::to_string(b.channels()) + " differ");
+  const int looked = channels == 0 ? a.channels() : std::min(channels, a.channels());
+  Mask mask(a.width(), a.height());
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      for (int c = 0; c < looked; ++c) {
+        const float p = a.at(x, y, c), q = b.at(x, y, c);
+        // Written so that NaN against a number is a difference; equal infinities are not one.
+        const bool bothNaN = std::isnan(p) && std::isnan(q);
+        if (p != q && !bothNaN && !(std::abs(p - q) <= threshold)) mask.set(x, y);
+      }
+  return mask;
+}
+
+} // namespace ggrade
