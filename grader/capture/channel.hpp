@@ -4,8 +4,9 @@
 ///
 /// The judging side creates the file, writes the Plan, fixes the file's size, and passes the
 /// descriptor; the captured side (capture library inside the student's process) writes everything
-/// else. All of it is plain data of sizes that the judging side computes itself. Whatever the captured side
-/// wrote is a claim: `readChannel` checks every length and range and copies the values out.
+/// else. All of it is plain data of sizes that the judging side computes itself. Whatever the
+/// captured side wrote is a claim: `readChannel` checks every length and range and copies the
+/// values out.
 ///
 /// Layout: Header, then `plan.frameCount` slots of `plan.slotBytes` bytes, each holding one frame
 /// as width x height x 4 bytes RGBA, row 0 at the bottom (as OpenGL has it).
@@ -24,7 +25,8 @@ inline constexpr std::uint32_t kMaxSide = 16384; ///< pixels
 /// Environment variable that names the descriptor of the channel.
 inline constexpr char kDescriptorVariable[] = "GG_CAPTURE_FD";
 
-/// One frame that the judging side wants. A side of 0 leaves the window as the program asked for it.
+/// One frame that the judging side wants. A side of 0 leaves the window as the program asked for
+/// it.
 struct PlannedFrame {
   double time;          ///< seconds that glfwGetTime reports in this frame
   std::uint32_t width;  ///< framebuffer pixels, 0 or 1 to kMaxSide
@@ -42,9 +44,9 @@ struct Plan {
 };
 
 enum class MessageKind : std::uint32_t {
-  glError = 1,  ///< a GL error, with the name of the call
-  glDebug = 2,  ///< a debug message that is not an error
-  capture = 3,  ///< something the capture library has to say (no meaning offscreen, and so on)
+  glError = 1, ///< a GL error, with the name of the call
+  glDebug = 2, ///< a debug message that is not an error
+  capture = 3, ///< something the capture library has to say (no meaning offscreen, and so on)
 };
 
 /// Equal messages are stored once; `count` says how often they came.
@@ -60,10 +62,10 @@ struct FrameRecord {
   std::uint32_t written; ///< 1 once the slot's pixels are complete
   std::uint32_t width;   ///< framebuffer pixels
   std::uint32_t height;
-  std::uint32_t windowDraws;           ///< draw calls and blits that reached the window
-  std::uint32_t windowClears;          ///< clears that reached the window
-  std::uint32_t boundFramebuffer;      ///< GL_DRAW_FRAMEBUFFER_BINDING at the swap
-  std::uint32_t windowSrgb;            ///< 1 if GL_FRAMEBUFFER_SRGB was on for the window (it is linear)
+  std::uint32_t windowDraws;      ///< draw calls and blits that reached the window
+  std::uint32_t windowClears;     ///< clears that reached the window
+  std::uint32_t boundFramebuffer; ///< GL_DRAW_FRAMEBUFFER_BINDING at the swap
+  std::uint32_t windowSrgb;       ///< 1 if GL_FRAMEBUFFER_SRGB was on for the window (it is linear)
   std::uint32_t reserved;
   double seconds; ///< wall time since the swap before (or since the context, for frame 0)
 };
@@ -71,16 +73,16 @@ struct FrameRecord {
 struct Header {
   Plan plan;
   // Everything below is written by the captured side.
-  std::uint32_t started;      ///< 1 once the library has been loaded and initialised
-  std::uint32_t contextMade;  ///< 1 once a context exists
-  std::uint32_t framesDone;   ///< number of swaps so far, at most plan.frameCount
-  std::uint32_t messageCount; ///< at most kMaxMessages
-  std::uint32_t messagesLost; ///< messages beyond kMaxMessages
+  std::uint32_t started;        ///< 1 once the library has been loaded and initialised
+  std::uint32_t contextMade;    ///< 1 once a context exists
+  std::uint32_t framesDone;     ///< number of swaps so far, at most plan.frameCount
+  std::uint32_t messageCount;   ///< at most kMaxMessages
+  std::uint32_t messagesLost;   ///< messages beyond kMaxMessages
   std::uint32_t endedByCapture; ///< 1 if the program ignored the request to close and was ended
   double contextSeconds;        ///< time to make the first context
-  double shaderSeconds;         ///< time spent in glCompileShader, glLinkProgram and first use queries
-  char glVersion[128];          ///< GL_VERSION
-  char glRenderer[128];         ///< GL_RENDERER
+  double shaderSeconds; ///< time spent in glCompileShader, glLinkProgram and first use queries
+  char glVersion[128];  ///< GL_VERSION
+  char glRenderer[128]; ///< GL_RENDERER
   FrameRecord frames[kMaxFrames];
   Message messages[kMaxMessages];
 };
@@ -96,6 +98,8 @@ constexpr std::uint64_t slotOffset(const Plan& plan, std::uint32_t index) {
 }
 
 /// Size of the whole file in bytes.
-constexpr std::uint64_t totalBytes(const Plan& plan) { return slotOffset(plan, plan.frameCount); }
+constexpr std::uint64_t totalBytes(const Plan& plan) {
+  return slotOffset(plan, plan.frameCount);
+}
 
 } // namespace ggrade::channel

@@ -1,0 +1,212 @@
+#include "capture/channel_reader.hpp"
+
+#include "capture/utf8.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <fcntl.h>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <sys/mman.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace ggrade::channel {
+namespace {
+
+constexpr double kLongest = 1e6; // seconds: longer than any run
+constexpr std::uint64_t kMaxPixels = std::uint64_t{kMaxSide} * kMaxSide;
+
+[[noreturn]] void throwSystem(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
+
+void readAll(int descriptor, void* to, std::uint64_t bytes, std::uint64_t offset) {
+  auto* at = static_cast<char*>(to);
+  while (bytes > 0) {
+    const ssize_t got = pread(descriptor, at, bytes, static_cast<off_t>(offset));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throwSystem("cannot read the capture channel");
+    if (got == 0)
+      throw std::system_error(std::make_error_code(std::errc::io_error),
+                              "capture channel ends early");
+    at += got;
+    offset += static_cast<std::uint64_t>(got);
+    bytes -= static_cast<std::uint64_t>(got);
+  }
+}
+
+Plan makePlan(const PlanRequest& request) {
+  if (request.frames.empty() || request.frames.size() > kMaxFrames) {
+    throw std::invalid_argument("a capture plan has 1 to 64 frames, not " +
+                                std::to_string(request.frames.size()));
+  }
+  Plan plan{};
+  plan.magic = kMagic;
+  plan.version = kVersion;
+  plan.frameCount = static_cast<std::uint32_t>(request.frames.size());
+  std::uint64_t pixels = request.maxPixels;
+  for (const PlannedFrame& frame : request.frames) {
+    if (!std::isfinite(frame.time) || frame.time < 0)
+      throw std::invalid_argument("a planned time is finite and not negative");
+    if (frame.width > kMaxSide || frame.height > kMaxSide)
+      throw std::invalid_argument("a planned side is 16384 at most");
+    pixels = std::max(pixels, std::uint64_t{frame.width} * frame.height);
+  }
+  if (pixels == 0 || pixels > kMaxPixels)
+    throw std::invalid_argument("a frame has 1 to 16384 x 16384 pixels");
+  plan.slotBytes = 4 * pixels;
+  std::copy(request.frames.begin(), request.frames.end(), plan.frames);
+  return plan;
+}
+
+/// Checks claims one after another; the first one that fails is the result.
+class Checker {
+public:
+  bool atMost(const std::string& field, std::uint64_t value, std::uint64_t limit) {
+    return value <= limit ||
+           fail(field, std::to_string(value) + " is above " + std::to_string(limit));
+  }
+  bool atLeast(const std::string& field, std::uint64_t value, std::uint64_t limit) {
+    return value >= limit ||
+           fail(field, std::to_string(value) + " is below " + std::to_string(limit));
+  }
+  bool seconds(const std::string& field, double value) {
+    return (std::isfinite(value) && value >= 0 && value <= kLongest) ||
+           fail(field, std::to_string(value) + " is not a time from 0 to 1000000 seconds");
+  }
+  template <std::size_t size>
+  bool text(const std::string& field, const char (&from)[size], std::string& to) {
+    const auto* const end = std::find(from, from + size, '\0');
+    if (end == from + size) return fail(field, "the text does not end");
+    to = sanitizedUtf8(std::string_view(from, static_cast<std::size_t>(end - from)));
+    return true;
+  }
+  CaptureError error;
+
+private:
+  bool fail(const std::string& field, std::string reason) {
+    error = {field, std::move(reason)};
+    return false;
+  }
+};
+
+std::string element(const char* list, std::uint32_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "].";
+}
+
+bool checkMessage(Checker& check, const std::string& at, const Message& from, CapturedMessage& to) {
+  to.kind = static_cast<MessageKind>(from.kind);
+  to.frame = from.frame;
+  to.count = from.count;
+  return check.atLeast(at + "kind", from.kind, static_cast<std::uint32_t>(MessageKind::glError)) &&
+         check.atMost(at + "kind", from.kind, static_cast<std::uint32_t>(MessageKind::capture)) &&
+         check.atMost(at + "frame", from.frame, kMaxFrames) &&
+         check.text(at + "text", from.text, to.text);
+}
+
+bool checkFrame(Checker& check, const std::string& at, const FrameRecord& from,
+                std::uint64_t slotBytes, CapturedFrame& to) {
+  to.written = from.written != 0;
+  to.width = from.width;
+  to.height = from.height;
+  to.windowDraws = from.windowDraws;
+  to.windowClears = from.windowClears;
+  to.boundFramebuffer = from.boundFramebuffer;
+  to.windowSrgb = from.windowSrgb != 0;
+  to.seconds = from.seconds;
+  if (!check.atMost(at + "written", from.written, 1) ||
+      !check.atMost(at + "windowSrgb", from.windowSrgb, 1) ||
+      !check.atLeast(at + "width", from.width, 1) ||
+      !check.atMost(at + "width", from.width, kMaxSide) ||
+      !check.atLeast(at + "height", from.height, 1) ||
+      !check.atMost(at + "height", from.height, kMaxSide) ||
+      !check.seconds(at + "seconds", from.seconds)) {
+    return false;
+  }
+  return !to.written ||
+         check.atMost(at + "bytes", std::uint64_t{4} * from.width * from.height, slotBytes);
+}
+
+/// Everything but pixels.
+std::optional<CaptureError> check(const Header& from, const Plan& plan, Capture& to) {
+  Checker check;
+  to.started = from.started != 0;
+  to.contextMade = from.contextMade != 0;
+  to.endedByCapture = from.endedByCapture != 0;
+  to.contextSeconds = from.contextSeconds;
+  to.shaderSeconds = from.shaderSeconds;
+  to.messagesLost = from.messagesLost;
+  const bool valid = check.atMost("started", from.started, 1) &&
+                     check.atMost("contextMade", from.contextMade, 1) &&
+                     check.atMost("endedByCapture", from.endedByCapture, 1) &&
+                     check.atMost("framesDone", from.framesDone, plan.frameCount) &&
+                     check.atMost("messageCount", from.messageCount, kMaxMessages) &&
+                     check.seconds("contextSeconds", from.contextSeconds) &&
+                     check.seconds("shaderSeconds", from.shaderSeconds) &&
+                     check.text("glVersion", from.glVersion, to.glVersion) &&
+                     check.text("glRenderer", from.glRenderer, to.glRenderer);
+  if (!valid) return check.error;
+  to.messages.resize(from.messageCount);
+  for (std::uint32_t i = 0; i < from.messageCount; ++i) {
+    if (!checkMessage(check, element("messages", i), from.messages[i], to.messages[i]))
+      return check.error;
+  }
+  to.frames.resize(from.framesDone);
+  for (std::uint32_t i = 0; i < from.framesDone; ++i) {
+    to.frames[i].time = plan.frames[i].time;
+    if (!checkFrame(check, element("frames", i), from.frames[i], plan.slotBytes, to.frames[i]))
+      return check.error;
+  }
+  return std::nullopt;
+}
+
+/// Fills `frame.pixels`, whose size has been checked, turning rows over: the file has row 0 at the
+/// bottom.
+void readPixels(int descriptor, std::uint64_t offset, CapturedFrame& frame) {
+  const std::size_t rowBytes = std::size_t{4} * frame.width;
+  frame.pixels.resize(rowBytes * frame.height);
+  readAll(descriptor, frame.pixels.data(), frame.pixels.size(), offset);
+  const auto row = [&](std::uint32_t y) {
+    return frame.pixels.begin() + static_cast<std::ptrdiff_t>(rowBytes * y);
+  };
+  for (std::uint32_t y = 0; y < frame.height / 2; ++y) {
+    std::swap_ranges(row(y), row(y + 1), row(frame.height - 1 - y));
+  }
+}
+
+} // namespace
+
+Channel::Channel(const PlanRequest& request) : plan_(makePlan(request)) {
+  descriptor_ = memfd_create("ggrade-capture", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+  if (descriptor_ < 0) throwSystem("cannot create the capture channel");
+  // A child that shrinks the file would kill whoever has mapped it; a child that grows it would
+  // take memory.
+  if (ftruncate(descriptor_, static_cast<off_t>(totalBytes(plan_))) != 0 ||
+      pwrite(descriptor_, &plan_, sizeof(plan_), 0) != static_cast<ssize_t>(sizeof(plan_)) ||
+      fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
+    const int error = errno;
+    close(descriptor_);
+    throw std::system_error(error, std::generic_category(), "cannot set up the capture channel");
+  }
+}
+
+Channel::~Channel() {
+  close(descriptor_);
+}
+
+CaptureResult Channel::read() const {
+  const auto header = std::make_unique<Header>();
+  readAll(descriptor_, header.get(), sizeof(Header), 0);
+  Capture capture;
+  if (std::optional<CaptureError> error = check(*header, plan_, capture)) return std::move(*error);
+  for (std::uint32_t i = 0; i < capture.frames.size(); ++i) {
+    if (capture.frames[i].written) readPixels(descriptor_, slotOffset(plan_, i), capture.frames[i]);
+  }
+  return capture;
+}
+
+} // namespace ggrade::channel

@@ -1,0 +1,202 @@
+#include "capture/channel_writer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+#include <set>
+#include <string>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace ggrade::capture {
+namespace {
+
+using channel::Header;
+using channel::Message;
+using channel::Plan;
+
+constexpr int kBadPlanExit = 3;
+
+[[noreturn]] void refuse(const char* reason) {
+  std::fprintf(stderr, "ggrade capture: %s: %s\n", channel::kDescriptorVariable, reason);
+  _exit(kBadPlanExit);
+}
+
+/// The plan is copied first: what is checked is what is used.
+const char* faultOf(const Plan& plan) {
+  if (plan.magic != channel::kMagic) return "not a capture channel";
+  if (plan.version != channel::kVersion) return "another version of the capture channel";
+  if (plan.frameCount < 1 || plan.frameCount > channel::kMaxFrames)
+    return "frame count out of range";
+  if (plan.slotBytes > std::uint64_t{4} * channel::kMaxSide * channel::kMaxSide)
+    return "slot size out of range";
+  for (std::uint32_t i = 0; i < plan.frameCount; ++i) {
+    const channel::PlannedFrame& frame = plan.frames[i];
+    if (!std::isfinite(frame.time) || frame.time < 0) return "frame time out of range";
+    if (frame.width > channel::kMaxSide || frame.height > channel::kMaxSide)
+      return "frame size out of range";
+  }
+  return nullptr;
+}
+
+class Writer {
+public:
+  Writer() : verbose_(isSet("GG_CAPTURE_VERBOSE")) {
+    if (const char* const text = std::getenv(channel::kDescriptorVariable)) open(text);
+  }
+
+  const Plan* plan() const { return header_ ? &plan_ : nullptr; }
+
+  void message(channel::MessageKind kind, std::string_view text) {
+    const std::lock_guard lock(mutex_);
+    if (verbose_ && printed_.emplace(text).second) {
+      std::fprintf(stderr, "ggrade capture: %.*s\n", static_cast<int>(text.size()), text.data());
+    }
+    if (!header_) return;
+    char stored[sizeof(Message::text)] = {};
+    std::memcpy(stored, text.data(), std::min(text.size(), sizeof(stored) - 1));
+    const auto number = static_cast<std::uint32_t>(kind);
+    for (std::uint32_t i = 0; i < messages_; ++i) {
+      Message& known = header_->messages[i];
+      if (known.kind == number && std::strcmp(known.text, stored) == 0) {
+        ++known.count;
+        return;
+      }
+    }
+    if (messages_ == channel::kMaxMessages) {
+      ++header_->messagesLost;
+      return;
+    }
+    Message& message = header_->messages[messages_];
+    message.kind = number;
+    message.frame = frames_;
+    message.count = 1;
+    std::memcpy(message.text, stored, sizeof(stored));
+    header_->messageCount = ++messages_;
+  }
+
+  void context(double seconds, const char* version, const char* renderer) {
+    if (!header_ || header_->contextMade) return;
+    header_->contextSeconds = seconds;
+    copyText(header_->glVersion, version);
+    copyText(header_->glRenderer, renderer);
+    header_->contextMade = 1;
+  }
+
+  void shaderSeconds(double seconds) {
+    const std::lock_guard lock(mutex_);
+    if (header_) header_->shaderSeconds += seconds;
+  }
+
+  void ended() {
+    if (header_) header_->endedByCapture = 1;
+  }
+
+  void frame(const channel::FrameRecord& record, const std::uint8_t* pixels) {
+    if (!header_ || frames_ >= plan_.frameCount) return;
+    channel::FrameRecord stored = record;
+    const std::uint64_t bytes = std::uint64_t{4} * record.width * record.height;
+    stored.written = bytes <= plan_.slotBytes;
+    if (stored.written) {
+      auto* const file = reinterpret_cast<std::uint8_t*>(header_);
+      std::memcpy(file + channel::slotOffset(plan_, frames_), pixels, bytes);
+    }
+    header_->frames[frames_] = stored;
+    header_->framesDone = ++frames_;
+  }
+
+private:
+  static bool isSet(const char* variable) {
+    const char* const text = std::getenv(variable);
+    return text && *text && std::strcmp(text, "0") != 0;
+  }
+
+  template <std::size_t size> static void copyText(char (&to)[size], const char* from) {
+    std::strncpy(to, from ? from : "", size - 1);
+  }
+
+  void open(const char* text) {
+    char* end = nullptr;
+    const long descriptor = std::strtol(text, &end, 10);
+    if (end == text || *end || descriptor < 0 || descriptor > 1 << 20)
+      refuse("not a descriptor number");
+    const int fd = static_cast<int>(descriptor);
+    if (pread(fd, &plan_, sizeof(plan_), 0) != static_cast<ssize_t>(sizeof(plan_)))
+      refuse("cannot read the plan");
+    if (const char* const fault = faultOf(plan_)) refuse(fault);
+    struct stat status {};
+    if (fstat(fd, &status) != 0 ||
+        static_cast<std::uint64_t>(status.st_size) < channel::totalBytes(plan_)) {
+      refuse("the file is smaller than its plan");
+    }
+    void* const file =
+        mmap(nullptr, channel::totalBytes(plan_), PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
+    if (file == MAP_FAILED) refuse("cannot map the file");
+    header_ = static_cast<Header*>(file);
+    header_->started = 1;
+    // Programs that this one starts are not the captured one.
+    close(fd);
+    unsetenv(channel::kDescriptorVariable);
+  }
+
+  std::mutex mutex_;
+  bool verbose_;
+  std::set<std::string, std::less<>> printed_;
+  Plan plan_{};
+  Header* header_ = nullptr;
+  std::uint32_t messages_ = 0; ///< our own count: the program can write to the file as well
+  std::uint32_t frames_ = 0;
+};
+
+/// Never destroyed: the program's own destructors may still call GL.
+Writer& writer() {
+  static Writer* const instance = new Writer;
+  return *instance;
+}
+
+/// The plan is checked and `started` set before `main`, whether or not the program calls anything.
+[[gnu::constructor]] void openChannel() {
+  writer();
+}
+
+} // namespace
+
+const Plan* plan() {
+  return writer().plan();
+}
+
+void writeMessage(channel::MessageKind kind, std::string_view text) {
+  writer().message(kind, text);
+}
+
+void say(const char* format, ...) {
+  char text[512];
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof(text), format, arguments);
+  va_end(arguments);
+  writeMessage(channel::MessageKind::capture, text);
+}
+
+void writeContext(double seconds, const char* version, const char* renderer) {
+  writer().context(seconds, version, renderer);
+}
+
+void addShaderSeconds(double seconds) {
+  writer().shaderSeconds(seconds);
+}
+
+void writeEndedByCapture() {
+  writer().ended();
+}
+
+void writeFrame(const channel::FrameRecord& record, const std::uint8_t* pixels) {
+  writer().frame(record, pixels);
+}
+
+} // namespace ggrade::capture

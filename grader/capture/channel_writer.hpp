@@ -1,0 +1,31 @@
+#pragma once
+/// \file
+/// The captured side of the channel. Without a channel (GG_CAPTURE_FD not set) everything is
+/// dropped, apart from what GG_CAPTURE_VERBOSE=1 prints on stderr.
+
+#include "capture/channel.hpp"
+
+#include <cstdint>
+#include <string_view>
+
+namespace ggrade::capture {
+
+/// The judging side's plan, or null without a channel.
+const channel::Plan* plan();
+
+/// Stores a message, or counts it when the same text came before. Any thread.
+void writeMessage(channel::MessageKind kind, std::string_view text);
+
+/// Says once that something has no meaning offscreen, or went otherwise than the program may think.
+[[gnu::format(printf, 1, 2)]] void say(const char* format, ...);
+
+void writeContext(double seconds, const char* version, const char* renderer);
+void addShaderSeconds(double seconds);
+void writeEndedByCapture();
+
+/// Stores the frame that ends now: `pixels` is width x height x 4 bytes RGBA, row 0 at the bottom.
+/// Sizes beyond the plan's slot are recorded without pixels. Does nothing after the plan's last
+/// frame.
+void writeFrame(const channel::FrameRecord& record, const std::uint8_t* pixels);
+
+} // namespace ggrade::capture

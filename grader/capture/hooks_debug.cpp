@@ -1,0 +1,222 @@
+// Debug output is always on and synchronous, with our callback, so that every GL error is known
+// with its call. The program sees its own callback, its own switches and its own message log, as
+// usual.
+
+#include "capture/channel_writer.hpp"
+#include "capture/context_state.hpp"
+#include "capture/gl_hooks.hpp"
+
+#include <algorithm>
+#include <cstring>
+
+namespace ggrade::capture {
+namespace {
+
+constexpr std::size_t kMaxLogged = 10; // GL_MAX_DEBUG_LOGGED_MESSAGES here
+thread_local ContextState* current = nullptr;
+
+void APIENTRY receive(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
+                      const GLchar* text, const void* user) {
+  auto& state = *static_cast<ContextState*>(const_cast<void*>(user));
+  const bool ofProgram =
+      source == GL_DEBUG_SOURCE_APPLICATION || source == GL_DEBUG_SOURCE_THIRD_PARTY;
+  if (source == GL_DEBUG_SOURCE_API && type == GL_DEBUG_TYPE_ERROR) {
+    state.errors.named = true;
+    writeMessage(channel::MessageKind::glError, text);
+  } else if (!ofProgram) {
+    writeMessage(channel::MessageKind::glDebug, text);
+  }
+  DebugState& debug = state.debug;
+  if (!debug.output) return;
+  if (debug.callback) {
+    debug.callback(source, type, id, severity, length, text, debug.userParam);
+  } else if (debug.log.size() < kMaxLogged) {
+    debug.log.push_back({source, type, id, severity, text});
+  }
+}
+
+decltype(&glDebugMessageCallback) nextCallback, nextCallbackArb;
+
+void setCallback(GLDEBUGPROC callback, const void* user, decltype(&glDebugMessageCallback) next) {
+  if (!current) return next(callback, user);
+  current->debug.callback = callback;
+  current->debug.userParam = user;
+}
+void APIENTRY hookCallback(GLDEBUGPROC callback, const void* user) {
+  setCallback(callback, user, nextCallback);
+}
+void APIENTRY hookCallbackArb(GLDEBUGPROC callback, const void* user) {
+  setCallback(callback, user, nextCallbackArb);
+}
+
+/// The program's copy of a switch that GL itself must keep on; null for all others.
+bool* keptSwitch(GLenum name) {
+  if (!current) return nullptr;
+  if (name == GL_DEBUG_OUTPUT) return &current->debug.output;
+  if (name == GL_DEBUG_OUTPUT_SYNCHRONOUS) return &current->debug.synchronous;
+  return nullptr;
+}
+
+decltype(&glEnable) nextEnable;
+void APIENTRY hookEnable(GLenum name) {
+  if (bool* const kept = keptSwitch(name)) {
+    *kept = true;
+  } else {
+    nextEnable(name);
+  }
+}
+
+decltype(&glDisable) nextDisable;
+void APIENTRY hookDisable(GLenum name) {
+  if (bool* const kept = keptSwitch(name)) {
+    *kept = false;
+  } else {
+    nextDisable(name);
+  }
+}
+
+decltype(&glIsEnabled) nextIsEnabled;
+GLboolean APIENTRY hookIsEnabled(GLenum name) {
+  const bool* const kept = keptSwitch(name);
+  return kept ? *kept : nextIsEnabled(name);
+}
+
+/// Integers that GL would answer otherwise than the program expects of its window. False for all
+/// others.
+bool ownInteger(GLenum name, GLint& value) {
+  if (!current) return false;
+  const DebugState& debug = current->debug;
+  switch (name) {
+  case GL_DEBUG_OUTPUT:
+    value = debug.output;
+    return true;
+  case GL_DEBUG_OUTPUT_SYNCHRONOUS:
+    value = debug.synchronous;
+    return true;
+  case GL_DEBUG_LOGGED_MESSAGES:
+    value = static_cast<GLint>(debug.log.size());
+    return true;
+  case GL_DEBUG_NEXT_LOGGED_MESSAGE_LENGTH:
+    value = debug.log.empty() ? 0 : static_cast<GLint>(debug.log.front().text.size() + 1);
+    return true;
+  case GL_DOUBLEBUFFER:
+    value = 1;
+    return true;
+  case GL_CONTEXT_FLAGS: {
+    static const auto getIntegerv = real<decltype(&glGetIntegerv)>("glGetIntegerv");
+    getIntegerv(name, &value);
+    if (debug.debugContext) value |= GL_CONTEXT_FLAG_DEBUG_BIT;
+    return true;
+  }
+  default:
+    return false;
+  }
+}
+
+template <typename Value> using Getter = void(APIENTRY*)(GLenum, Value*);
+
+template <typename Value> void get(GLenum name, Value* values, Getter<Value> next) {
+  GLint value = 0;
+  if (values && ownInteger(name, value)) {
+    *values = static_cast<Value>(value);
+  } else {
+    next(name, values);
+  }
+}
+
+Getter<GLint> nextGetIntegerv;
+void APIENTRY hookGetIntegerv(GLenum name, GLint* values) {
+  get(name, values, nextGetIntegerv);
+}
+Getter<GLboolean> nextGetBooleanv;
+void APIENTRY hookGetBooleanv(GLenum name, GLboolean* values) {
+  get(name, values, nextGetBooleanv);
+  if (name == GL_CONTEXT_FLAGS && values) *values = *values ? GL_TRUE : GL_FALSE;
+}
+Getter<GLfloat> nextGetFloatv;
+void APIENTRY hookGetFloatv(GLenum name, GLfloat* values) {
+  get(name, values, nextGetFloatv);
+}
+Getter<GLdouble> nextGetDoublev;
+void APIENTRY hookGetDoublev(GLenum name, GLdouble* values) {
+  get(name, values, nextGetDoublev);
+}
+Getter<GLint64> nextGetInteger64v;
+void APIENTRY hookGetInteger64v(GLenum name, GLint64* values) {
+  get(name, values, nextGetInteger64v);
+}
+
+decltype(&glGetPointerv) nextGetPointerv;
+void APIENTRY hookGetPointerv(GLenum name, void** value) {
+  if (current && value && name == GL_DEBUG_CALLBACK_FUNCTION) {
+    *value = reinterpret_cast<void*>(current->debug.callback);
+  } else if (current && value && name == GL_DEBUG_CALLBACK_USER_PARAM) {
+    *value = const_cast<void*>(current->debug.userParam);
+  } else {
+    nextGetPointerv(name, value);
+  }
+}
+
+/// As glGetDebugMessageLog: stops at the first message whose text doesn't fit; any array may be
+/// null.
+GLuint APIENTRY hookGetLog(GLuint count, GLsizei size, GLenum* sources, GLenum* types, GLuint* ids,
+                           GLenum* severities, GLsizei* lengths, GLchar* texts) {
+  if (!current) return 0;
+  std::deque<DebugState::Logged>& log = current->debug.log;
+  GLuint taken = 0;
+  for (; taken < count && !log.empty(); ++taken) {
+    const DebugState::Logged& message = log.front();
+    const auto length = static_cast<GLsizei>(message.text.size() + 1);
+    if (texts) {
+      if (length > size) break;
+      std::memcpy(texts, message.text.c_str(), static_cast<std::size_t>(length));
+      texts += length;
+      size -= length;
+    }
+    if (sources) sources[taken] = message.source;
+    if (types) types[taken] = message.type;
+    if (ids) ids[taken] = message.id;
+    if (severities) severities[taken] = message.severity;
+    if (lengths) lengths[taken] = length;
+    log.pop_front();
+  }
+  return taken;
+}
+
+const Hook kHooks[] = {
+    GG_HOOK(glDebugMessageCallback, hookCallback, nextCallback),
+    GG_HOOK(glDebugMessageCallbackARB, hookCallbackArb, nextCallbackArb),
+    GG_HOOK(glEnable, hookEnable, nextEnable),
+    GG_HOOK(glDisable, hookDisable, nextDisable),
+    GG_HOOK(glIsEnabled, hookIsEnabled, nextIsEnabled),
+    GG_HOOK(glGetIntegerv, hookGetIntegerv, nextGetIntegerv),
+    GG_HOOK(glGetBooleanv, hookGetBooleanv, nextGetBooleanv),
+    GG_HOOK(glGetFloatv, hookGetFloatv, nextGetFloatv),
+    GG_HOOK(glGetDoublev, hookGetDoublev, nextGetDoublev),
+    GG_HOOK(glGetInteger64v, hookGetInteger64v, nextGetInteger64v),
+    GG_HOOK(glGetPointerv, hookGetPointerv, nextGetPointerv),
+    {"glGetDebugMessageLog", reinterpret_cast<GlFunction>(hookGetLog), nullptr},
+    {"glGetDebugMessageLogARB", reinterpret_cast<GlFunction>(hookGetLog), nullptr},
+};
+
+} // namespace
+
+std::span<const Hook> debugHooks() {
+  return kHooks;
+}
+
+ContextState* currentState() {
+  return current;
+}
+void setCurrentState(ContextState* state) {
+  current = state;
+}
+
+void installDebugCallback(ContextState& state) {
+  real<decltype(&glDebugMessageCallback)>("glDebugMessageCallback")(receive, &state);
+  const auto enable = real<decltype(&glEnable)>("glEnable");
+  enable(GL_DEBUG_OUTPUT);
+  enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
+}
+
+} // namespace ggrade::capture
