@@ -40,8 +40,7 @@ void makeReflection(Reflection& reflection, GLsizei size) {
 
   glBindFramebuffer(GL_FRAMEBUFFER, reflection.framebuffer);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, reflection.color, 0);
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER,
-                            reflection.depth);
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, reflection.depth);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
     throw std::runtime_error("the reflection's framebuffer object is not complete");
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -87,7 +86,8 @@ void drawObjects(const gg::Program& program, const glm::mat4& projection, const 
 bool showsReflection(const gg::Scene& scene, const glm::mat4& clipFromWorld) {
   if (!scene.flag("effects.mirror")) return false;
   if (scene.flag("debug.draw_all_passes")) return true;
-  if (scene.material("floor").specular == glm::vec4(0) || scene.camera.position.y <= 0) return false;
+  if (glm::vec3(scene.material("floor").specular) == glm::vec3(0)) return false;
+  if (scene.camera.position.y <= 0) return false;
 
   const float x = scene.real("floor.width") / 2, z = scene.real("floor.depth") / 2;
   const glm::vec4 corners[] = {
@@ -133,7 +133,8 @@ void app(const gg::Scene& scene) {
 
       // TODO(mirror.2): draw into the framebuffer object instead of the window.
       //   Given:  `reflection`.
-      //   Do:     bind its framebuffer, set the viewport to its size, clear colour and depth; below,
+      //   Do:     bind its framebuffer, set the viewport to its size, clear colour and depth;
+      //   below,
       //           at the end of the pass, bind the window (0) and set the window's viewport again.
       //   Expect: the picture still doesn't change.                   (handout: step 2)
       // BEGIN SOLUTION(mirror.2)

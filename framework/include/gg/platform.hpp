@@ -1,0 +1,18 @@
+#pragma once
+/// \file
+/// The little that differs between Linux, macOS and Windows.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace gg {
+
+/// The folder that the running program lies in. Files are found from there, never from the current
+/// directory.
+std::filesystem::path programFolder();
+
+/// The program's arguments as UTF-8, without its name.
+std::vector<std::string> utf8Arguments(int argc, char** argv);
+
+} // namespace gg

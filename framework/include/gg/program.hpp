@@ -1,0 +1,69 @@
+#pragma once
+/// \file
+/// A shader program made from files beside the student's program.
+
+#include <initializer_list>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include <gg/handle.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+namespace gg {
+
+/// A linked program.
+///
+/// A file's ending names its stage: .vert .tesc .tese .geom .frag. `#include "name"` is looked up
+/// in the program's folder, then among the framework's own shaders (gg/lighting.glsl); a file is
+/// included once a stage, however often it is named. Blocks called Light and Material are bound to
+/// kLightBinding and kMaterialBinding.
+class Program {
+public:
+  /// Compiles and links. Throws ShaderError with file, line, column, the line itself and a caret.
+  explicit Program(std::initializer_list<const char*> files);
+
+  /// glUseProgram.
+  void use() const { glUseProgram(program_); }
+
+  /// Sets a uniform, whether or not the program is in use (glProgramUniform). A name that the
+  /// shaders don't have, or a value of another type, is reported once on stderr. A uniform that is
+  /// written in the shaders but has no effect there is left alone silently.
+  void set(std::string_view name, bool value) const;
+  void set(std::string_view name, int value) const;
+  void set(std::string_view name, float value) const;
+  void set(std::string_view name, double value) const { set(name, static_cast<float>(value)); }
+  void set(std::string_view name, const glm::vec2& value) const;
+  void set(std::string_view name, const glm::vec3& value) const;
+  void set(std::string_view name, const glm::vec4& value) const;
+  void set(std::string_view name, const glm::mat3& value) const;
+  void set(std::string_view name, const glm::mat4& value) const;
+  /// A sampler takes the number of a texture unit (an int), not the name of a texture.
+  void set(std::string_view name, GLuint value) const = delete;
+
+  operator GLuint() const { return program_; }
+
+private:
+  struct Uniform {
+    GLint location;
+    GLenum type;
+  };
+  /// Location of a uniform that takes a value of type `given`; -1 if there is none.
+  GLint find(std::string_view name, GLenum given) const;
+  void findUniforms();
+  void bindBlock(const char* name, GLuint binding);
+  void complain(std::string_view name, const std::string& text) const;
+
+  Handle<detail::ProgramTraits> program_;
+  std::string files_;  // "object.vert + object.frag", for messages
+  std::string source_; // text of all stages
+  std::map<std::string, Uniform, std::less<>> uniforms_;
+  mutable std::set<std::string, std::less<>> complained_;
+};
+
+} // namespace gg

@@ -1,0 +1,63 @@
+#include "arguments.hpp"
+
+#include <charconv>
+
+#include <fmt/format.h>
+
+namespace gg::detail {
+
+namespace {
+
+constexpr int kLargest = 16384; // pixels
+
+int side(const std::string& word, std::string_view digits) {
+  int value = 0;
+  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (error != std::errc() || end != digits.data() + digits.size() || value < 1 || value > kLargest)
+    throw UsageError(
+        fmt::format("--size {}: must be like 640x480, each side 1 to {}", word, kLargest));
+  return value;
+}
+
+glm::ivec2 parseSize(const std::string& word) {
+  const std::size_t x = word.find('x');
+  const std::string_view all = word;
+  return {side(word, all.substr(0, x)),
+          side(word, x == word.npos ? std::string_view() : all.substr(x + 1))};
+}
+
+} // namespace
+
+Arguments parseArguments(const std::vector<std::string>& words) {
+  Arguments result;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::size_t equals = words[i].find('=');
+    const std::string option = words[i].substr(0, equals);
+    if (option == "--help" || option == "-h") {
+      result.help = true;
+      continue;
+    }
+    if (option != "--scene" && option != "--mesh" && option != "--size")
+      throw UsageError(fmt::format("unknown argument \"{}\"", words[i]));
+    if (equals == std::string::npos && i + 1 == words.size())
+      throw UsageError(option + " needs a value");
+    const std::string value =
+        equals != std::string::npos ? words[i].substr(equals + 1) : words[++i];
+    if (option == "--scene") result.scene = value;
+    if (option == "--mesh") result.mesh = value;
+    if (option == "--size") result.size = parseSize(value);
+  }
+  return result;
+}
+
+std::string usage(const std::string& program) {
+  return fmt::format("usage: {} [--scene FILE] [--mesh NAME] [--size WIDTHxHEIGHT]\n"
+                     "  --scene FILE   draw this scene (default: scene.json beside the program)\n"
+                     "  --mesh NAME    torus_knot, box, plane or an OBJ file\n"
+                     "  --size WxH     size of the window in pixels\n"
+                     "  --help         print this\n"
+                     "Esc closes the window.\n",
+                     program);
+}
+
+} // namespace gg::detail

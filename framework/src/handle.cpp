@@ -1,0 +1,75 @@
+#include <gg/handle.hpp>
+
+#include <stdexcept>
+
+namespace gg::detail {
+
+namespace {
+
+// Before there is a window, GL's functions are not loaded; calling one would crash.
+void requireWindow(bool loaded, const char* what) {
+  if (!loaded)
+    throw std::logic_error(std::string(what) +
+                           " was made before the window; make the window first");
+}
+
+template <class Generate> GLuint generate(Generate function, const char* what) {
+  requireWindow(function != nullptr, what);
+  GLuint name = 0;
+  function(1, &name);
+  return name;
+}
+
+} // namespace
+
+GLuint TextureTraits::create() {
+  return generate(glGenTextures, "a Texture");
+}
+void TextureTraits::destroy(GLuint name) {
+  glDeleteTextures(1, &name);
+}
+
+GLuint RenderbufferTraits::create() {
+  return generate(glGenRenderbuffers, "a Renderbuffer");
+}
+void RenderbufferTraits::destroy(GLuint name) {
+  glDeleteRenderbuffers(1, &name);
+}
+
+GLuint FramebufferTraits::create() {
+  return generate(glGenFramebuffers, "a Framebuffer");
+}
+void FramebufferTraits::destroy(GLuint name) {
+  glDeleteFramebuffers(1, &name);
+}
+
+GLuint BufferTraits::create() {
+  return generate(glGenBuffers, "a Buffer");
+}
+void BufferTraits::destroy(GLuint name) {
+  glDeleteBuffers(1, &name);
+}
+
+GLuint VertexArrayTraits::create() {
+  return generate(glGenVertexArrays, "a VertexArray");
+}
+void VertexArrayTraits::destroy(GLuint name) {
+  glDeleteVertexArrays(1, &name);
+}
+
+GLuint SamplerTraits::create() {
+  return generate(glGenSamplers, "a Sampler");
+}
+void SamplerTraits::destroy(GLuint name) {
+  glDeleteSamplers(1, &name);
+}
+
+GLuint ProgramTraits::create() {
+  requireWindow(glCreateProgram != nullptr, "a Program");
+  return glCreateProgram();
+}
+void ProgramTraits::destroy(GLuint name) {
+  glDeleteProgram(name);
+}
+
+} // namespace gg::detail

@@ -1,0 +1,57 @@
+#include <gg/platform.hpp>
+
+#include <gg/text_file.hpp>
+
+#if defined(_WIN32)
+#define NOMINMAX
+#include <windows.h>
+// After windows.h, which it needs.
+#include <shellapi.h>
+#elif defined(__APPLE__)
+#include <mach-o/dyld.h>
+#endif
+
+namespace gg {
+
+namespace {
+
+std::filesystem::path programFile() {
+#if defined(_WIN32)
+  std::wstring name(32768, L'\0'); // the longest path that Windows knows
+  name.resize(GetModuleFileNameW(nullptr, name.data(), static_cast<DWORD>(name.size())));
+  return name;
+#elif defined(__APPLE__)
+  std::uint32_t size = 0;
+  _NSGetExecutablePath(nullptr, &size);
+  std::string name(size, '\0');
+  _NSGetExecutablePath(name.data(), &size);
+  return std::filesystem::canonical(name.c_str());
+#else
+  return std::filesystem::read_symlink("/proc/self/exe");
+#endif
+}
+
+} // namespace
+
+std::filesystem::path programFolder() {
+  static const std::filesystem::path folder = programFile().parent_path();
+  return folder;
+}
+
+std::vector<std::string> utf8Arguments(int argc, char** argv) {
+#if defined(_WIN32)
+  (void)argv;
+  (void)argc;
+  std::vector<std::string> arguments;
+  int count = 0;
+  wchar_t** wide = CommandLineToArgvW(GetCommandLineW(), &count);
+  for (int i = 1; wide != nullptr && i < count; ++i)
+    arguments.push_back(toUtf8(std::filesystem::path(wide[i])));
+  LocalFree(wide);
+  return arguments;
+#else
+  return argc > 0 ? std::vector<std::string>(argv + 1, argv + argc) : std::vector<std::string>();
+#endif
+}
+
+} // namespace gg
