@@ -7,7 +7,6 @@
 #include <cmath>
 #include <fcntl.h>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <sys/mman.h>
@@ -39,27 +38,32 @@ void readAll(int descriptor, void* to, std::uint64_t bytes, std::uint64_t offset
   }
 }
 
-Plan makePlan(const PlanRequest& request) {
-  if (request.frames.empty() || request.frames.size() > kMaxFrames) {
-    throw std::invalid_argument("a capture plan has 1 to 64 frames, not " +
-                                std::to_string(request.frames.size()));
+void writeAll(int descriptor, const void* from, std::size_t bytes) {
+  if (pwrite(descriptor, from, bytes, 0) != static_cast<ssize_t>(bytes)) {
+    throwSystem("cannot write the capture plan");
   }
+}
+
+Plan makePlan(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels) {
+  const auto require = [](bool met, const std::string& rule) {
+    if (!met) throw std::invalid_argument("capture plan: " + rule);
+  };
+  require(!frames.empty() && frames.size() <= kMaxFrames,
+          "there are 1 to 64 frames, not " + std::to_string(frames.size()));
+  require(maxPixels > 0 && maxPixels <= kMaxPixels, "a frame has 1 to 16384 x 16384 pixels");
   Plan plan{};
   plan.magic = kMagic;
   plan.version = kVersion;
-  plan.frameCount = static_cast<std::uint32_t>(request.frames.size());
-  std::uint64_t pixels = request.maxPixels;
-  for (const PlannedFrame& frame : request.frames) {
-    if (!std::isfinite(frame.time) || frame.time < 0)
-      throw std::invalid_argument("a planned time is finite and not negative");
-    if (frame.width > kMaxSide || frame.height > kMaxSide)
-      throw std::invalid_argument("a planned side is 16384 at most");
-    pixels = std::max(pixels, std::uint64_t{frame.width} * frame.height);
+  plan.frameCount = static_cast<std::uint32_t>(frames.size());
+  std::uint64_t pixels = 0;
+  for (const PlannedFrame& frame : frames) {
+    require(std::isfinite(frame.time) && frame.time >= 0, "a time is finite and not negative");
+    require(frame.width <= kMaxSide && frame.height <= kMaxSide, "a side has 16384 pixels at most");
+    const bool open = frame.width == 0 || frame.height == 0;
+    pixels = std::max(pixels, open ? maxPixels : std::uint64_t{frame.width} * frame.height);
   }
-  if (pixels == 0 || pixels > kMaxPixels)
-    throw std::invalid_argument("a frame has 1 to 16384 x 16384 pixels");
   plan.slotBytes = 4 * pixels;
-  std::copy(request.frames.begin(), request.frames.end(), plan.frames);
+  std::copy(frames.begin(), frames.end(), plan.frames);
   return plan;
 }
 
@@ -85,11 +89,11 @@ public:
     to = sanitizedUtf8(std::string_view(from, static_cast<std::size_t>(end - from)));
     return true;
   }
-  CaptureError error;
+  std::string error;
 
 private:
-  bool fail(const std::string& field, std::string reason) {
-    error = {field, std::move(reason)};
+  bool fail(const std::string& field, const std::string& reason) {
+    error = field + ": " + reason;
     return false;
   }
 };
@@ -131,8 +135,8 @@ bool checkFrame(Checker& check, const std::string& at, const FrameRecord& from,
          check.atMost(at + "bytes", std::uint64_t{4} * from.width * from.height, slotBytes);
 }
 
-/// Everything but pixels.
-std::optional<CaptureError> check(const Header& from, const Plan& plan, Capture& to) {
+/// Everything but pixels. Returns what is wrong, or nothing.
+std::string check(const Header& from, const Plan& plan, Capture& to) {
   Checker check;
   to.started = from.started != 0;
   to.contextMade = from.contextMade != 0;
@@ -161,7 +165,7 @@ std::optional<CaptureError> check(const Header& from, const Plan& plan, Capture&
     if (!checkFrame(check, element("frames", i), from.frames[i], plan.slotBytes, to.frames[i]))
       return check.error;
   }
-  return std::nullopt;
+  return {};
 }
 
 /// Fills `frame.pixels`, whose size has been checked, turning rows over: the file has row 0 at the
@@ -180,17 +184,23 @@ void readPixels(int descriptor, std::uint64_t offset, CapturedFrame& frame) {
 
 } // namespace
 
-Channel::Channel(const PlanRequest& request) : plan_(makePlan(request)) {
-  descriptor_ = memfd_create("ggrade-capture", MFD_CLOEXEC | MFD_ALLOW_SEALING);
+Channel::Channel(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels)
+    : plan_(makePlan(frames, maxPixels)),
+      descriptor_(memfd_create("ggrade-capture", MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
   if (descriptor_ < 0) throwSystem("cannot create the capture channel");
-  // A child that shrinks the file would kill whoever has mapped it; a child that grows it would
-  // take memory.
-  if (ftruncate(descriptor_, static_cast<off_t>(totalBytes(plan_))) != 0 ||
-      pwrite(descriptor_, &plan_, sizeof(plan_), 0) != static_cast<ssize_t>(sizeof(plan_)) ||
-      fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
-    const int error = errno;
+  try {
+    if (ftruncate(descriptor_, static_cast<off_t>(totalBytes(plan_))) != 0) {
+      throwSystem("cannot size the capture channel");
+    }
+    writeAll(descriptor_, &plan_, sizeof(plan_));
+    // A child that shrinks the file would kill whoever has it mapped; one that grows it would take
+    // memory for itself.
+    if (fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
+      throwSystem("cannot seal the capture channel");
+    }
+  } catch (...) {
     close(descriptor_);
-    throw std::system_error(error, std::generic_category(), "cannot set up the capture channel");
+    throw;
   }
 }
 
@@ -198,13 +208,19 @@ Channel::~Channel() {
   close(descriptor_);
 }
 
-CaptureResult Channel::read() const {
+Capture Channel::read() const {
   const auto header = std::make_unique<Header>();
   readAll(descriptor_, header.get(), sizeof(Header), 0);
   Capture capture;
-  if (std::optional<CaptureError> error = check(*header, plan_, capture)) return std::move(*error);
+  if (std::string error = check(*header, plan_, capture); !error.empty()) {
+    capture = {};
+    capture.error = std::move(error);
+    return capture;
+  }
   for (std::uint32_t i = 0; i < capture.frames.size(); ++i) {
-    if (capture.frames[i].written) readPixels(descriptor_, slotOffset(plan_, i), capture.frames[i]);
+    if (capture.frames[i].written) {
+      readPixels(descriptor_, slotOffset(plan_, i), capture.frames[i]);
+    }
   }
   return capture;
 }

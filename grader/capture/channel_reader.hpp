@@ -7,16 +7,9 @@
 
 #include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace ggrade::channel {
-
-/// What to render: 1 to kMaxFrames frames, and the largest frame to accept in pixels.
-struct PlanRequest {
-  std::vector<PlannedFrame> frames;
-  std::uint64_t maxPixels = 0; ///< capacity of a slot; at least what the planned sizes need
-};
 
 /// A message with its text as valid UTF-8 without control characters (line feeds and tabs apart).
 struct CapturedMessage {
@@ -40,6 +33,9 @@ struct CapturedFrame {
 };
 
 struct Capture {
+  /// Empty, or what the captured process wrote that is impossible (outcome `bad_output`), such as
+  /// `frames[2].width: 20000 is above 16384`. Everything else is empty then.
+  std::string error;
   bool started = false;
   bool contextMade = false;
   bool endedByCapture = false;
@@ -52,20 +48,18 @@ struct Capture {
   std::uint32_t messagesLost = 0;
 };
 
-/// The captured process wrote something impossible (outcome `bad_output`).
-struct CaptureError {
-  std::string field;  ///< `frames[2].width`
-  std::string reason; ///< `20000 is above 16384`
-};
-
-using CaptureResult = std::variant<Capture, CaptureError>;
+/// Pixels of the largest frame that is accepted from a program that chooses its window's size
+/// itself.
+inline constexpr std::uint64_t kDefaultMaxPixels = 1920 * 1080;
 
 /// Owns the shared memory file.
 class Channel {
 public:
-  /// Creates the file with its plan and seals its size. Throws std::invalid_argument for an
-  /// impossible request, std::system_error when the system refuses.
-  explicit Channel(const PlanRequest& request);
+  /// Creates the file with its plan of 1 to kMaxFrames frames and seals its size. `maxPixels`
+  /// counts for frames that leave a side to the program. Throws std::invalid_argument for an
+  /// impossible plan, std::system_error when the system refuses.
+  explicit Channel(const std::vector<PlannedFrame>& frames,
+                   std::uint64_t maxPixels = kDefaultMaxPixels);
   ~Channel();
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;
@@ -78,7 +72,7 @@ public:
   /// Copies out what the child wrote. Call it once the child and its children are gone; if they
   /// aren't, the result is as untrue as they like, but still in range. Throws std::system_error
   /// when the file can't be read.
-  CaptureResult read() const;
+  Capture read() const;
 
 private:
   Plan plan_{};

@@ -20,7 +20,7 @@ using channel::Header;
 using channel::Message;
 using channel::Plan;
 
-constexpr int kBadPlanExit = 3;
+constexpr int kBadPlanExit = 127; // as when a library cannot be loaded
 
 [[noreturn]] void refuse(const char* reason) {
   std::fprintf(stderr, "ggrade capture: %s: %s\n", channel::kDescriptorVariable, reason);
