@@ -1,6 +1,6 @@
 # gg_program(target folder id output_folder) builds the student's program <folder>/<id>.cpp as
 # <output_folder>/<id> and keeps copies of its shaders, scene and other files beside it, so that it
-# runs from anywhere.
+# runs from anywhere. Further folders may be named whose JSON files (scene, declarations) it needs, too.
 function(gg_program target folder id output_folder)
   add_executable(${target} ${folder}/${id}.cpp)
   target_link_libraries(${target} PRIVATE gg)
@@ -13,6 +13,10 @@ function(gg_program target folder id output_folder)
   file(GLOB files CONFIGURE_DEPENDS ${folder}/*.json ${folder}/*.vert ${folder}/*.frag
     ${folder}/*.geom ${folder}/*.tesc ${folder}/*.tese ${folder}/*.glsl ${folder}/*.obj
     ${folder}/*.png)
+  foreach(further ${ARGN})
+    file(GLOB further_files CONFIGURE_DEPENDS ${further}/*.json)
+    list(APPEND files ${further_files})
+  endforeach()
   set(copies "")
   foreach(file ${files})
     get_filename_component(name ${file} NAME)
@@ -33,7 +37,11 @@ function(gg_programs folder output_folder suffix)
     get_filename_component(own_folder ${source} DIRECTORY)
     get_filename_component(own_name ${own_folder} NAME)
     if(own_name STREQUAL id)
-      gg_program(${id}${suffix} ${own_folder} ${id} ${output_folder}/${id})
+      set(further "")
+      if(EXISTS ${PROJECT_SOURCE_DIR}/assignments/${id} AND NOT suffix STREQUAL "")
+        set(further ${PROJECT_SOURCE_DIR}/assignments/${id})
+      endif()
+      gg_program(${id}${suffix} ${own_folder} ${id} ${output_folder}/${id} ${further})
     endif()
   endforeach()
 endfunction()

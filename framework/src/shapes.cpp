@@ -14,17 +14,30 @@ namespace {
 
 constexpr double kTurn = 6.283185307179586;
 
-// The trefoil's centre line winds twice round the z axis while it goes three times round the
-// ring's own circle.
+constexpr double kStep = 1e-4; // of derivatives, in radians of the knot's parameter
+
+// The trefoil's centre line winds twice round the z axis while it goes three times round a circle
+// of radius 2. Turned by a quarter so that one lobe points up.
 glm::dvec3 trefoil(double t) {
   const double radius = 2 + std::cos(3 * t);
-  // Turned by a quarter so that one lobe points up.
   return {-radius * std::sin(2 * t), radius * std::cos(2 * t), std::sin(3 * t)};
 }
 
-glm::dvec3 trefoilTangent(double t) {
-  constexpr double h = 1e-4;
-  return glm::normalize(trefoil(t + h) - trefoil(t - h));
+// A point of the tube about it and its normal.
+struct TubePoint {
+  glm::dvec3 position, normal;
+};
+
+TubePoint tube(double t, double angle) {
+  constexpr double kRadius = 0.62; // the strands of this trefoil are about 2 apart
+  const glm::dvec3 center = trefoil(t);
+  const glm::dvec3 forward = trefoil(t + kStep) - trefoil(t - kStep);
+  // The frame hangs on the direction away from the circle, so it closes by itself.
+  const glm::dvec3 circle(-2 * std::sin(2 * t), 2 * std::cos(2 * t), 0);
+  const glm::dvec3 side = glm::normalize(glm::cross(center - circle, forward));
+  const glm::dvec3 out = glm::normalize(glm::cross(forward, side));
+  const glm::dvec3 normal = std::cos(angle) * out + std::sin(angle) * side;
+  return {center + kRadius * normal, normal};
 }
 
 // The four corners of a face, counterclockwise, as two triangles.
@@ -45,24 +58,18 @@ void addFace(MeshData& mesh, const glm::vec3& corner, const glm::vec3& u, const 
 
 MeshData torusKnot(int along, int around) {
   if (along < 3 || around < 3) throw std::invalid_argument("torusKnot: at least 3 segments");
-  constexpr double kTube = 0.62; // radius; the strands of this trefoil are 2 apart
   MeshData mesh;
   for (int i = 0; i <= along; ++i) {
-    // The frame hangs on the direction away from the ring's own circle, so it closes by itself.
     const double t = kTurn * (i % along) / along;
-    const glm::dvec3 center = trefoil(t), forward = trefoilTangent(t);
-    const glm::dvec3 core(-2 * std::sin(2 * t), 2 * std::cos(2 * t), 0);
-    const glm::dvec3 side = glm::normalize(glm::cross(forward, center - core));
-    const glm::dvec3 out = glm::cross(side, forward);
     for (int j = 0; j <= around; ++j) {
       const double angle = kTurn * (j % around) / around;
-      const glm::dvec3 normal = std::cos(angle) * out + std::sin(angle) * side;
-      const glm::dvec3 turning = std::cos(angle) * side - std::sin(angle) * out;
-      mesh.positions.emplace_back(center + kTube * normal);
-      mesh.normals.emplace_back(normal);
-      mesh.uvs.emplace_back(static_cast<float>(i) / along, static_cast<float>(j) / around);
-      const double w = glm::dot(glm::cross(normal, forward), turning) < 0 ? -1 : 1;
-      mesh.tangents.emplace_back(glm::dvec4(forward, w));
+      const TubePoint point = tube(t, angle);
+      const glm::dvec3 onward = tube(t + kStep, angle).position - tube(t - kStep, angle).position;
+      mesh.positions.emplace_back(point.position);
+      mesh.normals.emplace_back(point.normal);
+      mesh.uvs.emplace_back(static_cast<float>(i) / static_cast<float>(along),
+                            static_cast<float>(j) / static_cast<float>(around));
+      mesh.tangents.emplace_back(glm::dvec4(glm::normalize(onward), 1));
     }
   }
   const auto row = static_cast<std::uint32_t>(around + 1);
