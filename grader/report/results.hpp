@@ -39,12 +39,13 @@ struct Item {
   std::string title;
   std::string looksAt; ///< what the item looks at, one sentence
   ItemKind kind = ItemKind::gain;
-  double points = 0;    ///< most that it can give (gain, bonus) or take away (keep)
-  double earned = 0;    ///< 0 to points (gain, bonus) or -points to 0 (keep)
-  bool judged = false;  ///< false: the judge never reached it
-  std::string message;  ///< what was seen, with numbers
-  std::string cause;    ///< what a failure most likely means; empty when all points were earned
-  std::string step;     ///< heading of the handout to read again; empty when all points were earned
+  double points = 0;   ///< most that it can give (gain, bonus) or take away (keep)
+  double earned = 0;   ///< 0 to points (gain, bonus) or -points to 0 (keep)
+  bool judged = false; ///< false: the judge never reached it
+  std::string message; ///< what was seen, with numbers
+  std::string where;   ///< scene and pixel of the worst place; hidden scenes: see Reveal
+  std::string cause;   ///< what a failure most likely means; empty when all points were earned
+  std::string step;    ///< heading of the handout to read again; empty when all points were earned
   bool beyondLecture = false;
   std::vector<std::pair<std::string, double>> credits; ///< scene name and credit 0 to 1
 };
@@ -63,7 +64,7 @@ struct Scene {
   std::string detail;  ///< one sentence with the evidence
   std::vector<Frame> frames;
   std::vector<std::string> messages; ///< GL errors and notices of the capture, UTF-8
-  std::string output;                ///< stdout and stderr of the run: the instructor's page only
+  std::string output; ///< stdout and stderr of the run; of hidden scenes the instructor's page only
   double seconds = 0;
 };
 
@@ -84,12 +85,15 @@ struct Result {
   double maxScore = 0;
   std::vector<Item> items;
   std::vector<Scene> scenes;
-  std::string compilerOutput;          ///< valid UTF-8, the student's file names
+  std::string compilerOutput;           ///< valid UTF-8, the student's file names
   std::vector<std::string> unusedFiles; ///< what the upload held besides, with the reason
-  std::vector<Timing> timings;
+  std::vector<Timing> timings; ///< one called "total" holds the sum; else they are added up
+  std::vector<std::pair<std::string, double>>
+      thresholds; ///< the comparison's tolerances, published
   std::uint64_t seed = 0;
   std::string sandbox; ///< "bwrap" or "none"
-  std::vector<std::pair<std::string, std::string>> fingerprint; ///< renderer, compiler, tool version, pins
+  std::vector<std::pair<std::string, std::string>>
+      fingerprint; ///< renderer, compiler, tool version, pins
 };
 
 } // namespace ggrade::report

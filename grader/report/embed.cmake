@@ -1,0 +1,15 @@
+# Writes FILES as string constants to OUTPUT: templates/page.js becomes `k_page_js`, and the script's
+# SHA-256, which the pages' Content-Security-Policy names, `k_page_js_sha256`.
+set(code "// Made by embed.cmake from templates/.\n#include \"report/templates.hpp\"\nnamespace ggrade::report::templates {\n")
+foreach(path ${FILES})
+  get_filename_component(name ${path} NAME)
+  string(MAKE_C_IDENTIFIER k_${name} constant)
+  file(READ ${path} text)
+  file(SHA256 ${path} hash)
+  string(APPEND code "const std::string_view ${constant} = R\"~embed~(${text})~embed~\";\n")
+  if(name STREQUAL "page.js")
+    string(APPEND code "const std::string_view ${constant}_sha256 = \"${hash}\";\n")
+  endif()
+endforeach()
+string(APPEND code "} // namespace ggrade::report::templates\n")
+file(WRITE ${OUTPUT} "${code}")

@@ -1,0 +1,29 @@
+#pragma once
+/// \file
+/// What every HTML page shares: the head, the style, the script, and how text gets into a template.
+
+#include <kainjow/mustache.hpp>
+
+#include <string>
+#include <string_view>
+
+namespace ggrade::report {
+
+using Data = kainjow::mustache::data;
+
+inline Data makeList() {
+  return Data(Data::type::list);
+}
+
+/// Untrusted text for `{{name}}`: sanitized here, escaped by the template. False when empty, so
+/// that
+/// `{{#name}}` asks whether there is any (to mustache an empty string is true).
+Data line(std::string_view text);
+Data text(std::string_view text);
+
+/// Renders `body` (a file of templates/) with `data`, adding the head, the style and the script.
+/// A name that an inner context lacks is looked up outside it, so every list entry sets all of its
+/// names. \throws std::logic_error if the template doesn't parse.
+std::string renderPage(std::string_view body, Data data, std::string_view title);
+
+} // namespace ggrade::report

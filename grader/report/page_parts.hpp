@@ -1,0 +1,46 @@
+#pragma once
+/// \file
+/// The parts of a result's page as data for templates/result.mustache.
+
+#include "report/page.hpp"
+#include "report/results.hpp"
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ggrade::report {
+
+inline constexpr std::size_t kOutputBytes = 64 << 10; ///< of compiler or program output on a page
+
+/// Student, reference, difference as data URIs, by scene name and frame.
+using Pictures = std::map<std::string, std::vector<std::array<std::string, 3>>>;
+Pictures encode(const Result& result);
+
+/// Who reads the page decides its words, not what it shows: that is in the Result it is given.
+struct Audience {
+  bool instructor = true;
+  std::string who() const { return instructor ? "submission" : "yours"; }
+};
+
+/// False when empty.
+Data optional(const std::string& trusted);
+/// A list of `{text}`.
+Data linesOf(const std::vector<std::string>& lines);
+/// The ID of the scene's element; empty when `result` doesn't hold the scene.
+std::string sceneAnchor(const Result& result, const std::string& name);
+/// The class that colours a credit of 0 to 1.
+std::string_view creditState(double credit);
+
+/// One row of the table of items.
+Data itemOf(const Result& result, std::size_t index);
+/// One of the losses named at the top.
+Data findingOf(const Result& result, const Item& item);
+/// One scene with its frames.
+Data sceneOf(const Result& result, std::size_t index, const Pictures& pictures,
+             const Audience& audience, bool open);
+
+} // namespace ggrade::report

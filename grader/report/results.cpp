@@ -1,0 +1,57 @@
+#include "report/results.hpp"
+
+namespace ggrade::report {
+
+std::string_view name(Outcome outcome) {
+  switch (outcome) {
+  case Outcome::graded:
+    return "graded";
+  case Outcome::buildFailed:
+    return "build_failed";
+  case Outcome::shaderError:
+    return "shader_error";
+  case Outcome::glError:
+    return "gl_error";
+  case Outcome::noFrame:
+    return "no_frame";
+  case Outcome::timeout:
+    return "timeout";
+  case Outcome::crash:
+    return "crash";
+  case Outcome::outOfMemory:
+    return "out_of_memory";
+  case Outcome::badOutput:
+    return "bad_output";
+  case Outcome::notGradable:
+    return "not_gradable";
+  }
+  return "not_gradable";
+}
+
+std::string_view explanation(Outcome outcome) {
+  switch (outcome) {
+  case Outcome::graded:
+    return "Every scene was drawn and judged.";
+  case Outcome::buildFailed:
+    return "The program did not compile, so nothing was drawn.";
+  case Outcome::shaderError:
+    return "A shader did not compile or link, so its picture is missing.";
+  case Outcome::glError:
+    return "Frames came and were scored, but OpenGL reported errors.";
+  case Outcome::noFrame:
+    return "The program drew no frame: glfwSwapBuffers was never reached.";
+  case Outcome::timeout:
+    return "The program was stopped at its time limit.";
+  case Outcome::crash:
+    return "The program crashed.";
+  case Outcome::outOfMemory:
+    return "The program was stopped at its memory limit.";
+  case Outcome::badOutput:
+    return "The frames that came out cannot be used.";
+  case Outcome::notGradable:
+    return "The grader failed, not the submission: no score is given and no attempt is lost.";
+  }
+  return "";
+}
+
+} // namespace ggrade::report

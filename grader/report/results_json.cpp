@@ -1,0 +1,152 @@
+#include "report/results_json.hpp"
+
+#include "report/summary.hpp"
+#include "report/text.hpp"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace ggrade::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kCompilerBytes = 16 << 10;
+
+Json value(double number) {
+  return std::isfinite(number) ? Json(number) : Json(nullptr);
+}
+
+std::string_view kindName(ItemKind kind) {
+  switch (kind) {
+  case ItemKind::keep:
+    return "keep";
+  case ItemKind::bonus:
+    return "bonus";
+  case ItemKind::gain:
+    break;
+  }
+  return "gain";
+}
+
+std::string title(const Item& item) {
+  const std::string plain = sanitizeLine(item.title);
+  if (item.kind == ItemKind::bonus) return "Bonus: " + plain;
+  if (item.kind == ItemKind::keep)
+    return fmt::format("{} (takes away up to {})", plain, number(item.points));
+  return plain;
+}
+
+std::string outputOf(const Item& item) {
+  std::string text;
+  const auto add = [&](std::string_view label, const std::string& part) {
+    if (!part.empty()) text += fmt::format("{}{}\n", label, sanitizeLine(part));
+  };
+  add("", item.judged ? item.message : "Not judged.");
+  add("Where: ", item.where);
+  add("Likely cause: ", item.cause);
+  add("Read again: ", item.step);
+  return text;
+}
+
+Json testOf(const Item& item, std::size_t number) {
+  Json tags = {kindName(item.kind)};
+  if (item.beyondLecture) tags.push_back("beyond_lecture");
+  return {
+      {"score", value(item.earned)},
+      {"max_score", item.kind == ItemKind::keep ? Json(0) : value(item.points)},
+      {"status", standing(item) == Standing::full ? "passed" : "failed"},
+      {"name", title(item)},
+      {"name_format", "text"},
+      {"number", std::to_string(number)},
+      {"output", outputOf(item)},
+      {"output_format", "text"},
+      {"tags", tags},
+      {"visibility", "visible"},
+      {"extra_data",
+       {{"id", sanitizeLine(item.id)}, {"kind", kindName(item.kind)}, {"judged", item.judged}}}};
+}
+
+std::string summary(const Result& view) {
+  std::string text = headline(view) + "\n";
+  if (!view.detail.empty()) text += sanitize(view.detail) + "\n";
+  for (const std::string& file : view.unusedFiles) text += "Not used: " + sanitizeLine(file) + "\n";
+  if (!view.compilerOutput.empty())
+    text += "\nCompiler:\n" + capped(sanitize(view.compilerOutput), kCompilerBytes);
+  return text;
+}
+
+Json extraData(const Result& result) {
+  Json data = {{"outcome", name(result.outcome)},
+               {"detail", sanitize(result.detail)},
+               {"assignment", sanitizeLine(result.assignment)},
+               {"part", sanitizeLine(result.part)},
+               {"submission", sanitizeLine(result.submission)},
+               {"score_without_bonus", value(result.score)},
+               {"bonus", value(result.bonus)},
+               {"max_score", value(result.maxScore)},
+               {"seed", result.seed},
+               {"sandbox", sanitizeLine(result.sandbox)},
+               {"fingerprint", Json::object()},
+               {"thresholds", Json::object()},
+               {"timings", Json::object()},
+               {"items", Json::array()},
+               {"scenes", Json::array()},
+               {"unused_files", Json::array()}};
+  for (const auto& [key, text] : result.fingerprint)
+    data["fingerprint"][sanitizeLine(key)] = sanitizeLine(text);
+  for (const auto& [key, number] : result.thresholds)
+    data["thresholds"][sanitizeLine(key)] = value(number);
+  for (const Timing& timing : result.timings)
+    data["timings"][sanitizeLine(timing.what)] = value(timing.seconds);
+  for (const Item& item : result.items) {
+    Json credits = Json::object();
+    for (const auto& [scene, credit] : item.credits) credits[sanitizeLine(scene)] = value(credit);
+    data["items"].push_back({{"id", sanitizeLine(item.id)},
+                             {"kind", kindName(item.kind)},
+                             {"earned", value(item.earned)},
+                             {"points", value(item.points)},
+                             {"judged", item.judged},
+                             {"message", sanitizeLine(item.message)},
+                             {"where", sanitizeLine(item.where)},
+                             {"credits", credits}});
+  }
+  for (const Scene& scene : result.scenes) {
+    Json frames = Json::array();
+    for (const Frame& frame : scene.frames)
+      frames.push_back({{"time", value(frame.time)}, {"wrong_share", value(frame.wrongShare)}});
+    data["scenes"].push_back({{"name", sanitizeLine(scene.name)},
+                              {"public", scene.isPublic},
+                              {"outcome", sanitizeLine(scene.outcome)},
+                              {"detail", sanitizeLine(scene.detail)},
+                              {"seconds", value(scene.seconds)},
+                              {"frames", frames}});
+  }
+  for (const std::string& file : result.unusedFiles)
+    data["unused_files"].push_back(sanitizeLine(file));
+  return data;
+}
+
+} // namespace
+
+std::string resultsJson(const Result& result, Reveal reveal) {
+  const Result view = studentView(result, reveal);
+  Json tests = Json::array();
+  for (std::size_t i = 0; i < view.items.size(); ++i) tests.push_back(testOf(view.items[i], i + 1));
+  const bool hasScore = result.outcome != Outcome::notGradable;
+  const Json json = {{"score", hasScore ? value(result.score + result.bonus) : Json(nullptr)},
+                     {"execution_time", value(totalSeconds(result))},
+                     {"output", summary(view)},
+                     {"output_format", "text"},
+                     {"test_output_format", "text"},
+                     {"test_name_format", "text"},
+                     {"visibility", "visible"},
+                     {"stdout_visibility", "hidden"},
+                     {"extra_data", extraData(result)},
+                     {"tests", tests},
+                     {"leaderboard", Json::array()}};
+  return json.dump(2) + "\n";
+}
+
+} // namespace ggrade::report

@@ -1,0 +1,153 @@
+#include "report/summary.hpp"
+
+#include "report/picture.hpp"
+#include "report/text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace ggrade::report {
+namespace {
+
+constexpr double kEpsilon = 1e-6; // points are at most hundreds; less is rounding
+
+bool countsForScore(const Item& item) {
+  return item.kind != ItemKind::bonus;
+}
+
+} // namespace
+
+Standing standing(const Item& item) {
+  if (!item.judged) return Standing::unjudged;
+  const double missing = lost(item);
+  if (missing <= kEpsilon) return Standing::full;
+  return missing >= item.points - kEpsilon ? Standing::none : Standing::part;
+}
+
+double lost(const Item& item) {
+  const double missing = item.kind == ItemKind::keep ? -item.earned : item.points - item.earned;
+  return std::max(0.0, missing);
+}
+
+bool scored(Outcome outcome) {
+  return outcome == Outcome::graded || outcome == Outcome::glError;
+}
+
+bool perfect(const Result& result) {
+  return scored(result.outcome) && !result.items.empty() &&
+         std::all_of(result.items.begin(), result.items.end(), [](const Item& item) {
+           return !countsForScore(item) || standing(item) == Standing::full;
+         });
+}
+
+std::string headline(const Result& result) {
+  if (result.outcome != Outcome::graded) return std::string(explanation(result.outcome));
+  if (perfect(result)) return "Complete: every item holds.";
+  const auto total = std::count_if(result.items.begin(), result.items.end(), countsForScore);
+  const auto incomplete =
+      std::count_if(result.items.begin(), result.items.end(), [](const Item& i) {
+        return countsForScore(i) && standing(i) != Standing::full;
+      });
+  if (total == 0) return std::string(explanation(result.outcome));
+  if (result.score <= 0) return "It runs and draws, but no item has earned points yet.";
+  return fmt::format("{} of {} items lost points.", incomplete, total);
+}
+
+std::vector<const Item*> worstItems(const Result& result, std::size_t count) {
+  std::vector<const Item*> worst;
+  if (!scored(result.outcome)) return worst;
+  for (const Item& item : result.items)
+    if (countsForScore(item) && lost(item) > kEpsilon) worst.push_back(&item);
+  std::stable_sort(worst.begin(), worst.end(),
+                   [](const Item* a, const Item* b) { return lost(*a) > lost(*b); });
+  if (worst.size() > count) worst.resize(count);
+  return worst;
+}
+
+const Scene* worstScene(const Result& result, const Item& item) {
+  const Scene* worst = nullptr;
+  double least = 1 - kEpsilon;
+  for (const auto& [name, credit] : item.credits) {
+    if (credit >= least) continue;
+    const auto scene = std::find_if(result.scenes.begin(), result.scenes.end(),
+                                    [&](const Scene& s) { return s.name == name; });
+    if (scene == result.scenes.end()) continue;
+    worst = &*scene;
+    least = credit;
+  }
+  return worst;
+}
+
+FrameIndex worstFrame(const Result& result) {
+  FrameIndex worst;
+  double share = -1;
+  for (std::size_t s = 0; s < result.scenes.size(); ++s) {
+    const auto& frames = result.scenes[s].frames;
+    for (std::size_t f = 0; f < frames.size(); ++f) {
+      if (frames[f].student.empty() || frames[f].wrongShare <= share) continue;
+      worst = {s, f, true};
+      share = frames[f].wrongShare;
+    }
+  }
+  return worst;
+}
+
+namespace {
+
+std::string reasonOf(const Result& result) {
+  if (!scored(result.outcome)) return sanitizeLine(result.detail);
+  const auto worst = worstItems(result, 1);
+  if (worst.empty()) return "";
+  const std::string message = sanitizeLine(worst[0]->message);
+  return fmt::format("−{} {}{}{}", number(lost(*worst[0])), sanitizeLine(worst[0]->title),
+                     message.empty() ? "" : ": ", message);
+}
+
+} // namespace
+
+Summary summarize(const Result& result, const std::string& link) {
+  Summary summary{sanitizeLine(result.submission),
+                  result.outcome,
+                  perfect(result),
+                  headline(result),
+                  reasonOf(result),
+                  result.score,
+                  result.bonus,
+                  result.maxScore,
+                  {},
+                  link};
+  const FrameIndex worst = worstFrame(result);
+  if (worst.found)
+    summary.thumbnail = thumbnail(result.scenes[worst.scene].frames[worst.frame].student, 224, 168);
+  return summary;
+}
+
+std::string_view stateOf(const Summary& summary) {
+  if (summary.outcome == Outcome::notGradable) return "unjudged";
+  if (summary.perfect) return "full";
+  return scored(summary.outcome) && summary.score > 0 ? "part" : "none";
+}
+
+std::string pointsText(const Item& item) {
+  if (!item.judged) return "not judged";
+  switch (item.kind) {
+  case ItemKind::keep:
+    return lost(item) <= kEpsilon ? "kept" : number(item.earned);
+  case ItemKind::bonus:
+    return fmt::format("+{} / {}", number(item.earned), number(item.points));
+  case ItemKind::gain:
+    break;
+  }
+  return fmt::format("{} / {}", number(item.earned), number(item.points));
+}
+
+double totalSeconds(const Result& result) {
+  double sum = 0;
+  for (const Timing& timing : result.timings) {
+    if (timing.what == "total") return timing.seconds;
+    sum += timing.seconds;
+  }
+  return sum;
+}
+
+} // namespace ggrade::report

@@ -1,0 +1,67 @@
+#pragma once
+/// \file
+/// What every report says first: how items stand, what was lost, where it shows.
+
+#include "report/results.hpp"
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ggrade::report {
+
+enum class Standing { full, part, none, unjudged };
+
+/// A `keep` item is full when nothing was taken away.
+Standing standing(const Item& item);
+
+/// Points missing from what the item could give (gain, bonus), or taken away (keep). Never
+/// negative.
+double lost(const Item& item);
+
+/// Scored, and every gain and keep item is full. The bonus doesn't count.
+bool perfect(const Result& result);
+
+/// Frames came and were judged: `graded` and `glError`.
+bool scored(Outcome outcome);
+
+/// One sentence: how it ended, in words, or how many items lost points.
+std::string headline(const Result& result);
+
+/// Gain and keep items that lost points, most points first, at most `count`. Empty unless scored.
+std::vector<const Item*> worstItems(const Result& result, std::size_t count);
+
+/// The scene in which the item got least credit; null when it is full in every scene of `result`.
+const Scene* worstScene(const Result& result, const Item& item);
+
+/// The frame with the largest share of wrong pixels among those with a picture; the first on a tie.
+struct FrameIndex {
+  std::size_t scene = 0, frame = 0;
+  bool found = false;
+};
+FrameIndex worstFrame(const Result& result);
+
+/// What a list of results says of one: small enough to keep for a whole class.
+struct Summary {
+  std::string submission; ///< one line, safe to print
+  Outcome outcome = Outcome::notGradable;
+  bool perfect = false;
+  std::string headline;
+  std::string reason; ///< what lost most, or the evidence; may be empty
+  double score = 0, bonus = 0, maxScore = 0;
+  Image thumbnail;  ///< the submission's worst frame, at most 224 x 168 pixels; may be empty
+  std::string link; ///< path of the result's page, relative to the list's; empty: no link
+};
+Summary summarize(const Result& result, const std::string& link = "");
+
+/// The class that colours the whole: "full", "part", "none" or "unjudged" (not gradable).
+std::string_view stateOf(const Summary& summary);
+
+/// "12 / 20", "+5 / 10" (bonus), "-4" or "kept" (keep), "not judged".
+std::string pointsText(const Item& item);
+
+/// Wall-clock seconds of the whole grading.
+double totalSeconds(const Result& result);
+
+} // namespace ggrade::report

@@ -1,0 +1,16 @@
+#pragma once
+/// \file
+/// The files of templates/, embedded at build time by embed.cmake.
+
+#include <string_view>
+
+namespace ggrade::report::templates {
+
+extern const std::string_view k_head_mustache;
+extern const std::string_view k_result_mustache;
+extern const std::string_view k_overview_mustache;
+extern const std::string_view k_style_css;
+extern const std::string_view k_page_js;
+extern const std::string_view k_page_js_sha256; ///< 64 hexadecimal digits
+
+} // namespace ggrade::report::templates

@@ -1,0 +1,158 @@
+#include "report/terminal.hpp"
+
+#include "report/summary.hpp"
+#include "report/text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace ggrade::report {
+namespace {
+
+constexpr std::string_view kBold = "\x1B[1m", kDim = "\x1B[2m", kGreen = "\x1B[32m",
+                           kYellow = "\x1B[33m", kRed = "\x1B[31m", kPlain = "";
+
+std::string paint(const TerminalStyle& style, std::string_view colour, std::string_view text) {
+  if (!style.colour || colour.empty()) return std::string(text);
+  return fmt::format("{}{}\x1B[0m", colour, text);
+}
+
+std::string padLeft(const std::string& text, std::size_t width) {
+  const std::size_t used = displayWidth(text);
+  return std::string(width > used ? width - used : 0, ' ') + text;
+}
+
+// Cut to `width` columns with an ellipsis, or filled up with spaces.
+std::string fit(const std::string& text, std::size_t width) {
+  const std::size_t used = displayWidth(text);
+  if (used <= width) return text + std::string(width - used, ' ');
+  std::string cut;
+  std::size_t columns = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    while (end < text.size() && (text[end] & 0xC0) == 0x80) ++end;
+    const std::string letter = text.substr(i, end - i);
+    if (columns + displayWidth(letter) > width - 1) break;
+    columns += displayWidth(letter);
+    cut += letter;
+    i = end;
+  }
+  return cut + "…" + std::string(width - 1 - columns, ' ');
+}
+
+// Words of `text` in lines of at most `width` columns, each after `indent` spaces. A word that is
+// too long stands on a line of its own.
+std::string wrap(const std::string& text, std::size_t indent, std::size_t width) {
+  std::string out, line;
+  const auto flush = [&] {
+    if (!line.empty()) out += std::string(indent, ' ') + line + "\n";
+    line.clear();
+  };
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find(' ', at), text.size());
+    const std::string word = text.substr(at, end - at);
+    if (!line.empty() && indent + displayWidth(line) + 1 + displayWidth(word) > width) flush();
+    line += (line.empty() ? "" : " ") + word;
+    at = end + 1;
+  }
+  flush();
+  return out;
+}
+
+struct Mark {
+  std::string_view sign, colour;
+};
+
+Mark markOf(const Item& item) {
+  const bool bonus = item.kind == ItemKind::bonus;
+  switch (standing(item)) {
+  case Standing::full:
+    return {"✓", kGreen};
+  case Standing::part:
+    return {"~", kYellow};
+  case Standing::none:
+    return bonus ? Mark{"·", kDim} : Mark{"✗", kRed};
+  case Standing::unjudged:
+    return {"?", kDim};
+  }
+  return {"?", kDim};
+}
+
+std::string scoreText(const Summary& result) {
+  if (result.outcome == Outcome::notGradable) return "no score";
+  std::string text = fmt::format("{} / {}", number(result.score), number(result.maxScore));
+  if (result.bonus > 0) text += fmt::format(" + {} bonus", number(result.bonus));
+  return text;
+}
+
+std::string_view scoreColour(const Summary& result) {
+  const std::string_view state = stateOf(result);
+  return state == "full" ? kGreen : state == "part" ? kYellow : kRed;
+}
+
+std::string itemLines(const Item& item, const TerminalStyle& style, std::size_t width) {
+  const Mark mark = markOf(item);
+  std::string title = sanitizeLine(item.title);
+  if (item.kind == ItemKind::bonus) title = "Bonus: " + title;
+  if (item.beyondLecture) title += " (beyond the lecture)";
+  std::string text = fmt::format("{} {}  {}\n", paint(style, mark.colour, mark.sign),
+                                 padLeft(pointsText(item), 12), fit(title, width - 16));
+  while (text.size() > 1 && text[text.size() - 2] == ' ') text.erase(text.size() - 2, 1);
+  if (standing(item) == Standing::full || !item.judged) return text;
+  constexpr std::size_t kIndent = 16;
+  text += wrap(sanitizeLine(item.message), kIndent, width);
+  if (!item.where.empty()) text += wrap("where: " + sanitizeLine(item.where), kIndent, width);
+  if (!item.cause.empty()) text += wrap("likely: " + sanitizeLine(item.cause), kIndent, width);
+  if (!item.step.empty()) text += wrap("read again: " + sanitizeLine(item.step), kIndent, width);
+  return text;
+}
+
+} // namespace
+
+std::string terminalTable(const Result& result, const TerminalStyle& style) {
+  const std::size_t width = std::max<std::size_t>(style.width, 60);
+  const Summary summary = summarize(result);
+  std::string text =
+      fmt::format("{}  {}  {}\n", paint(style, kBold, sanitizeLine(result.part)),
+                  summary.submission, paint(style, scoreColour(summary), scoreText(summary)));
+  text += wrap(fmt::format("{}: {}", name(result.outcome), headline(result)), 0, width);
+  text += wrap(sanitizeLine(result.detail), 0, width);
+  if (result.sandbox == "none")
+    text += paint(style, kYellow, "The program ran without a sandbox.") + "\n";
+  text += "\n";
+  for (const Item& item : result.items) text += itemLines(item, style, width);
+  for (const std::string& file : result.unusedFiles)
+    text += wrap("not used: " + sanitizeLine(file), 0, width);
+  return text;
+}
+
+std::string terminalTable(std::span<const Summary> results, const TerminalStyle& style) {
+  const std::size_t width = std::max<std::size_t>(style.width, 60);
+  std::size_t names = displayWidth("submission"), scores = displayWidth("score");
+  for (const Summary& result : results) {
+    names = std::max(names, displayWidth(result.submission));
+    scores = std::max(scores, displayWidth(scoreText(result)));
+  }
+  names = std::min(names, width / 3);
+  constexpr std::size_t kOutcome = 13; // out_of_memory
+  const std::size_t used = names + kOutcome + scores + 6;
+  const std::size_t rest = width > used + 10 ? width - used : 10;
+  std::string text = paint(style, kBold,
+                           fit("submission", names) + "  " + fit("outcome", kOutcome) + "  " +
+                               padLeft("score", scores) + "  why") +
+                     "\n";
+  for (const Summary& result : results) {
+    const std::string reason = result.perfect          ? "complete"
+                               : result.reason.empty() ? result.headline
+                                                       : result.reason;
+    std::string line = fit(result.submission, names) + "  " +
+                       fit(std::string(name(result.outcome)), kOutcome) + "  " +
+                       paint(style, scoreColour(result), padLeft(scoreText(result), scores));
+    if (!reason.empty()) line += "  " + fit(reason, rest);
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+} // namespace ggrade::report
