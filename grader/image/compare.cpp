@@ -13,7 +13,7 @@ namespace {
 
 void checkOptions(const Image& reference, const CompareOptions& options) {
   if (!(options.tolerance >= 0) || !std::isfinite(options.tolerance))
-    throw std::invalid_argument("compare: the tolerance must be 0 or more");
+    throw std::invalid_argument("compare: the tolerance must be a finite number of 0 or more");
   if (options.radius < 0 || options.radius > kMaxRadius)
     throw std::invalid_argument("compare: the radius must be 0 to " + std::to_string(kMaxRadius));
   if (options.channels < 0 || options.channels > 4)
@@ -47,7 +47,8 @@ std::optional<Comparison> obstacle(const Image& student, const Image& reference,
   if (!enough || (options.channels == 0 && student.channels() != reference.channels()))
     return refused(ComparisonStatus::channelsDiffer,
                    "the image has " + std::to_string(student.channels()) +
-                       " channels, the reference " + std::to_string(reference.channels()));
+                       " channels, the reference " + std::to_string(reference.channels()) + "; " +
+                       std::to_string(channels) + " are compared");
   if (const auto bad = findNonFinite(student, channels)) {
     auto result =
         refused(ComparisonStatus::studentNotFinite, "the image: " + bad->text(student.channels()));
@@ -95,10 +96,10 @@ std::string summary(const Comparison& result, int channels) {
   int used = std::snprintf(text, sizeof text, "%.3g%% of %zu pixels differ",
                            100 * result.wrongShare, result.judgedPixels);
   if (result.wrongPixels > 0)
-    used += std::snprintf(
-        text + used, sizeof text - std::size_t(used), ", densest at (%d,%d): %.0f%% of %dx%d",
-        result.densest.x + result.densest.width / 2, result.densest.y + result.densest.height / 2,
-        100 * result.densest.share, result.densest.width, result.densest.height);
+    used += std::snprintf(text + used, sizeof text - std::size_t(used),
+                          ", densest at (%d,%d): %.0f%% of %dx%d", result.densest.middleX,
+                          result.densest.middleY, 100 * result.densest.share, result.densest.width,
+                          result.densest.height);
   if (result.worst && result.wrongPixels > 0) {
     const auto& worst = *result.worst;
     const auto channel = std::size_t(worst.channel);
@@ -120,16 +121,19 @@ void judgeRow(const Image& student, const Image& reference, int y, int channels,
     const std::size_t first = std::size_t(x) * std::size_t(reference.channels());
     float error = 0;
     int worstChannel = 0;
+    double absolute = 0, signedSum = 0;
     for (int c = 0; c < channels; ++c) {
       const std::size_t i = first + std::size_t(c);
       const double difference = double(s[i]) - double(r[i]);
-      result.meanAbsoluteError += std::abs(difference);
-      result.meanDifference += difference;
+      absolute += std::abs(difference);
+      signedSum += difference;
       if (errors[i] > error) {
         error = errors[i];
         worstChannel = c;
       }
     }
+    result.meanAbsoluteError += absolute;
+    result.meanDifference += signedSum;
     if (error > options.tolerance) {
       ++result.wrongPixels;
       result.wrong.set(x, y);

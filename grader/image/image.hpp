@@ -19,6 +19,8 @@ enum class RowOrder { topFirst, bottomFirst };
 class Image {
 public:
   static constexpr int kMaxSide = 16384; ///< pixels
+  /// Most pixels that a reader of files accepts: 1 GiB of RGBA. Larger is a mistake or an attack.
+  static constexpr std::size_t kMaxFilePixels = std::size_t(1) << 26;
 
   Image() = default;
   /// Every value is `value`. Throws std::invalid_argument unless both sides are 1 to kMaxSide and

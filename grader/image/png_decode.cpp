@@ -65,7 +65,8 @@ private:
   static void onWarning(png_structp, png_const_charp) {}
   static void onRead(png_structp png, png_bytep into, png_size_t count) {
     auto& reader = self(png_get_io_ptr(png));
-    if (count > reader.bytes_.size()) png_error(png, "the file is cut short");
+    if (count > reader.bytes_.size())
+      png_error(png, "the data ends too early; write the file again");
     std::memcpy(into, reader.bytes_.data(), count);
     reader.bytes_ = reader.bytes_.subspan(count);
   }
@@ -88,6 +89,9 @@ Image decodePng(std::span<const unsigned char> bytes) {
     throw std::runtime_error("it is not a PNG file");
   PngReader reader(bytes);
   if (!reader.readHeader()) throw std::runtime_error("broken PNG: " + reader.error());
+  if (std::size_t(reader.width()) * std::size_t(reader.height()) > Image::kMaxFilePixels)
+    throw std::runtime_error("it has too many pixels: " + std::to_string(reader.width()) + "x" +
+                             std::to_string(reader.height()));
   Image image(reader.width(), reader.height(), reader.channels());
 
   std::vector<unsigned char> pixels(reader.rowBytes() * std::size_t(reader.height()));

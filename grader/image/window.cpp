@@ -34,7 +34,8 @@ private:
   std::vector<std::uint32_t> sums_;
 };
 
-// Moves the window so that the box around its pixels is in its middle, if that loses none of them.
+// Finds the middle of the box around the window's pixels; moves the window there if that loses
+// none.
 void centre(Window& window, const Mask& mask, const SummedArea& sums) {
   int left = mask.width(), right = -1, top = mask.height(), bottom = -1;
   for (int y = window.y; y < window.y + window.height; ++y)
@@ -45,6 +46,8 @@ void centre(Window& window, const Mask& mask, const SummedArea& sums) {
         top = std::min(top, y);
         bottom = std::max(bottom, y);
       }
+  window.middleX = (left + right) / 2;
+  window.middleY = (top + bottom) / 2;
   const int x = std::clamp((left + right + 1 - window.width) / 2, 0, mask.width() - window.width);
   const int y =
       std::clamp((top + bottom + 1 - window.height) / 2, 0, mask.height() - window.height);

@@ -12,7 +12,8 @@ namespace ggrade {
 /// A rectangle of pixels, (x,y) its top left corner, and how much in it is set.
 struct Window {
   int x = 0, y = 0, width = 0, height = 0;
-  std::size_t pixels = 0; ///< pixels of the mask inside
+  std::size_t pixels = 0;       ///< pixels of the mask inside
+  int middleX = 0, middleY = 0; ///< middle of the box around those pixels: the place to name
   /// `pixels` over the whole area of the window, 0 to 1, whatever region was looked at: a region of
   /// a few pixels cannot reach a large share (its own share says enough about it).
   double share = 0;

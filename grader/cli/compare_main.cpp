@@ -1,0 +1,122 @@
+/// \file
+/// The command line of `ggrade compare`.
+
+#include "cli/compare.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace {
+
+using ggrade::cli::CompareArguments;
+using ggrade::cli::CompareExit;
+
+constexpr std::string_view kExplanation = R"(
+Exit codes
+  0  the same within the limits    3  sizes or channels differ
+  1  beyond the warning's limits   4  a file or the command line is wrong
+  2  beyond the limits, or NaN or Inf in either image
+The verdict follows idiff's limits: without --fail any difference above 1e-06 fails.
+idiff's spelling with one hyphen (-fail 0.01) works too.
+
+How grades compare
+  Pixel by pixel numbers punish an edge that moved by a pixel and hide a small thing that is
+  missing. So a grade asks of every pixel whether its value lies inside the range of the other
+  image's values within R pixels, widened by T, in both directions. Published tolerances:
+  R = 1 pixel, T = 3.5/255 (three steps of 8 bits pass, four do not). Alpha is not judged.
+  Errors are counted over the image and in the densest window of 32x32 pixels.
+
+Examples
+  ggrade compare mine.png reference.png
+  ggrade compare -fail 0.016 -failpercent 1 mine.png reference.png
+  ggrade compare mine.exr reference.exr --abs --scale 10 -o difference.png
+)";
+
+// CLI11 reads -fail as -f -a -i -l; idiff's scripts mean --fail.
+std::vector<std::string> withDoubleHyphens(int argc, char** argv) {
+  constexpr std::array<std::string_view, 14> names{
+      "fail",  "failpercent", "hardfail", "warn",   "warnpercent", "hardwarn", "out",
+      "scale", "abs",         "json",     "radius", "tolerance",   "channels", "help"};
+  std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
+  for (std::string& argument : arguments) {
+    if (argument == "--") break;
+    if (argument.size() < 3 || argument[0] != '-' || argument[1] == '-') continue;
+    const std::string_view name = std::string_view(argument).substr(1);
+    if (std::ranges::find(names, name.substr(0, name.find('='))) != names.end())
+      argument.insert(0, 1, '-');
+  }
+  return arguments;
+}
+
+// CLI11's own check lets NaN through, which no difference ever exceeds.
+const CLI::Validator zeroOrMore(
+    [](std::string& text) -> std::string {
+      double value = 0;
+      if (CLI::detail::lexical_cast(text, value) && value >= 0) return {};
+      return "'" + text + "' is not a number of 0 or more";
+    },
+    "");
+
+void addOptions(CLI::App& app, CompareArguments& a) {
+  const auto limit = [&](const char* name, auto& value, const char* text) {
+    app.add_option(name, value, text)->check(zeroOrMore)->group("Limits (idiff's)");
+  };
+  app.add_option("A", a.image, "image to judge")->required();
+  app.add_option("B", a.reference, "reference")->required();
+  limit("--fail", a.fail, "a pixel fails if a channel differs by more (default 1e-06)");
+  limit("--failpercent", a.failPercent, "percent of the pixels that may fail (default 0)");
+  limit("--hardfail", a.hardFail, "fail if any pixel differs by more (default: no limit)");
+  limit("--warn", a.warn, "a pixel warns if a channel differs by more (default 1e-06)");
+  limit("--warnpercent", a.warnPercent, "percent of the pixels that may warn (default 0)");
+  limit("--hardwarn", a.hardWarn, "warn if any pixel differs by more (default: no limit)");
+
+  const char* grade = "The grade's comparison";
+  app.add_option("--tolerance", a.tolerant.tolerance, "T, default 3.5/255 = 0.01373")
+      ->check(zeroOrMore)
+      ->group(grade);
+  app.add_option("--radius", a.tolerant.radius, "R in pixels, default 1")
+      ->check(CLI::Range(0, ggrade::kMaxRadius))
+      ->group(grade);
+  app.add_option("--channels", a.tolerant.channels,
+                 "compare the first N channels (default: all but alpha)")
+      ->check(CLI::Range(1, 4))
+      ->group(grade);
+
+  app.add_option("-o,--out", a.out, "write A - B to this file (.png, .exr, ...), opaque");
+  app.add_option("--scale", a.scale, "factor on the difference image (default 1)");
+  app.add_flag("--abs", a.absolute, "difference image of absolute values");
+  app.add_flag("-q", a.quiet, "print the verdict alone, and only if it isn't PASS");
+  app.add_flag("--json", a.json, "print one JSON object on stdout");
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app("Compares two images as idiff does, and as grades do.", "ggrade compare");
+  app.footer(std::string(kExplanation));
+  CompareArguments arguments;
+  addOptions(app, arguments);
+  auto given = withDoubleHyphens(argc, argv);
+  std::ranges::reverse(given); // CLI11 wants the last argument first
+  try {
+    app.parse(given);
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "ggrade compare: " << error.what()
+              << "\nUsage: ggrade compare A B [options]; ggrade compare --help explains them.\n";
+    return int(CompareExit::fileError);
+  }
+  return int(ggrade::cli::runCompare(arguments, std::cout, std::cerr));
+} catch (const std::exception& error) {
+  std::cerr << "ggrade compare: " << error.what() << '\n';
+  return int(CompareExit::fileError);
+}
