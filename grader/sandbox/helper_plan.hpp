@@ -48,12 +48,12 @@ struct HelperPlan {
 /// One message of the helper to the supervisor, written to a pipe in one piece.
 struct HelperReport {
   enum class Kind : std::uint32_t {
-    started,    ///< the command's program runs
-    failed,     ///< it could not be started through our fault; `text` says why
-    unrunnable, ///< the file is there, but the system cannot execute it; `text` says why
-    exited,     ///< value is the exit code
-    signalled,  ///< value is the signal
-    collected,
+    started,     ///< the command's program runs
+    failed,      ///< it could not be started through our fault; `text` says why
+    unrunnable,  ///< the file is there, but the system cannot execute it; `text` says why
+    exited,      ///< value is the exit code
+    signalled,   ///< value is the signal
+    collected,   ///< value is 1 for an executable file
     notCollected ///< `text` says why
   };
   Kind kind = Kind::failed;

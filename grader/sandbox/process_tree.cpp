@@ -75,6 +75,7 @@ struct CloseFolder {
 
 bool ProcessTree::openNamespace(pid_t pid, const std::vector<std::string>& writableFolders) {
   const std::string root = "/proc/" + std::to_string(pid) + "/root";
+  folders_.clear();
   for (const std::string& folder : writableFolders) {
     folders_.emplace_back(open((root + folder).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     if (!folders_.back()) return false;

@@ -75,7 +75,6 @@ public:
     if (!file_)
       throw std::runtime_error("cannot write " + target_.string() + ": " + std::strerror(errno));
     file_ = aboveStandard(std::move(file_));
-    fchmod(file_.get(), 0644);
   }
   CollectedFile(const CollectedFile&) = delete;
   CollectedFile& operator=(const CollectedFile&) = delete;
@@ -83,7 +82,9 @@ public:
     if (!name_.empty()) unlink(name_.c_str());
   }
   int get() const { return file_.get(); }
-  void keep() {
+  /// Moves the file into place. The mode is ours to set: the helper may not own the file.
+  void keep(bool executable) {
+    fchmod(file_.get(), executable ? 0755 : 0644);
     if (rename(name_.c_str(), target_.c_str()) != 0) fail("cannot write " + target_.string());
     name_.clear();
   }
@@ -229,7 +230,7 @@ Result runOrThrow(const Command& command, Isolation isolation, const std::atomic
   Supervisor supervisor(command.limits, std::move(connections), pid, inNamespace,
                         std::move(view.writableFolders));
   Result result = supervisor.watch(cancel);
-  if (result.collected) collected.keep();
+  if (result.collected) collected.keep(supervisor.collectedIsExecutable());
   return result;
 }
 

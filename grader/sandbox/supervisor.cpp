@@ -145,8 +145,6 @@ void Supervisor::readReports() {
     if (report.kind != HelperReport::Kind::started) continue;
     begun_ = true;
     started_ = Clock::now();
-    // False only when the command is over already: there is nothing left to measure then.
-    if (inNamespace_) tree_.openNamespace(initPid_, writableFolders_);
   }
 }
 
@@ -166,6 +164,10 @@ void Supervisor::checkLimits(const std::atomic<bool>* cancel) {
   if (wall > limits_.wallSeconds)
     return stop(End::timeLimit,
                 "wall time: " + seconds(wall) + ", limit " + seconds(limits_.wallSeconds));
+  if (inNamespace_ && !measurable_) measurable_ = tree_.openNamespace(initPid_, writableFolders_);
+  // A command that is over already cannot be measured either, so there is a moment of grace.
+  if (inNamespace_ && !measurable_ && wall > 1)
+    return stop(End::setupFailed, "cannot see the sandbox's processes from outside");
   const bool high = last_.memoryBytes > limits_.memoryBytes / 2;
   if (Clock::now() - measured_ < (high ? kMeasureWhenHigh : kMeasureEvery)) return;
   measured_ = Clock::now();
@@ -248,6 +250,7 @@ void Supervisor::conclude() {
       break;
     case Kind::collected:
       result_.collected = true;
+      collectedIsExecutable_ = report.value == 1;
       break;
     case Kind::notCollected:
       result_.collectProblem = report.text;

@@ -28,6 +28,8 @@ public:
 
   /// Returns when the helper and everything that it started is gone.
   Result watch(const std::atomic<bool>* cancel);
+  /// After `watch`: whether the collected file was executable inside.
+  bool collectedIsExecutable() const { return collectedIsExecutable_; }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -59,9 +61,11 @@ private:
   std::vector<HelperReport> reports_;
   Usage last_;
   bool begun_ = false; ///< the helper reported that the command runs
+  bool measurable_ = false;
   bool stopping_ = false;
   int helperStatus_ = 0;
   double helperCpuSeconds_ = 0;
+  bool collectedIsExecutable_ = false;
   Result result_;
 };
 

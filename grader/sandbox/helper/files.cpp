@@ -62,24 +62,23 @@ std::string copyOut(int from, int into, std::uint64_t limit) {
 
 void collect(const HelperPlan& plan) {
   // Everything else inside is dead by now: the file cannot change under us.
-  const auto outcome = [&]() -> std::string {
+  bool executable = false;
+  const auto problem = [&]() -> std::string {
     const int file = openPlain(plan.collect);
-    if (file < 0)
-      return errno == ELOOP ? "is reached through a symbolic link"
-                            : std::string("cannot be opened: ") + std::strerror(errno);
+    if (file < 0 && errno == ELOOP) return "is reached through a symbolic link";
+    if (file < 0) return std::string("cannot be opened: ") + std::strerror(errno);
     struct stat status {};
     if (fstat(file, &status) != 0 || !S_ISREG(status.st_mode)) return "is not a regular file";
     if (static_cast<std::uint64_t>(status.st_size) > plan.collectLimit)
       return "has " + std::to_string(status.st_size) + " bytes, the limit is " +
              std::to_string(plan.collectLimit);
-    const auto into = static_cast<int>(plan.collectInto);
-    const std::string error = copyOut(file, into, plan.collectLimit);
-    if (error.empty() && (status.st_mode & S_IXUSR)) fchmod(into, 0755);
-    return error;
+    executable = (status.st_mode & S_IXUSR) != 0;
+    return copyOut(file, static_cast<int>(plan.collectInto), plan.collectLimit);
   }();
-  const bool good = outcome.empty();
-  report(plan, good ? HelperReport::Kind::collected : HelperReport::Kind::notCollected,
-         good ? "" : plan.collect + " " + outcome);
+  if (problem.empty())
+    report(plan, HelperReport::Kind::collected, "", 0, executable);
+  else
+    report(plan, HelperReport::Kind::notCollected, plan.collect + " " + problem);
 }
 
 } // namespace ggrade::sandbox::helper

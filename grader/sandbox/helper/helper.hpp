@@ -8,8 +8,8 @@
 namespace ggrade::sandbox::helper {
 
 /// Sends one message to the supervisor; `error`, an errno, is spelled out behind `text`.
-void report(const HelperPlan& plan, HelperReport::Kind kind, const std::string& text,
-            int error = 0);
+void report(const HelperPlan& plan, HelperReport::Kind kind, const std::string& text, int error = 0,
+            int value = 0);
 
 /// Sheds privileges and descriptors, then becomes bwrap, or goes on with `runInside`. Returns the
 /// exit code of the helper.

@@ -10,9 +10,11 @@
 
 namespace ggrade::sandbox::helper {
 
-void report(const HelperPlan& plan, HelperReport::Kind kind, const std::string& text, int error) {
+void report(const HelperPlan& plan, HelperReport::Kind kind, const std::string& text, int error,
+            int value) {
   HelperReport message;
   message.kind = kind;
+  message.value = value;
   const std::string full = error ? text + ": " + std::strerror(error) : text;
   std::snprintf(message.text, sizeof message.text, "%s", full.c_str());
   // A failed write means that nobody listens any more.

@@ -1,0 +1,163 @@
+// Every way that a run can end is told apart.
+#include "sandbox_fixture.hpp"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+using namespace ggrade::sandbox;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+
+SANDBOX_SUITE(SandboxEnds);
+
+TEST_P(SandboxEnds, IsAvailable) {
+  if (delegated()) return;
+  EXPECT_EQ(unavailable(), std::nullopt);
+}
+
+TEST_P(SandboxEnds, ExitCodes) {
+  if (delegated()) return;
+  for (const int code : {0, 1, 7, 126, 127, 128 + SIGSEGV, 255}) {
+    const Result result = run(attack("exit", {std::to_string(code)}));
+    EXPECT_EQ(result.end, End::exited) << describe(result);
+    EXPECT_EQ(result.exitCode, code);
+    EXPECT_EQ(result.detail, "exit code " + std::to_string(code));
+  }
+}
+
+TEST_P(SandboxEnds, Signals) {
+  if (delegated()) return;
+  for (const int number : {SIGHUP, SIGINT, SIGQUIT, SIGILL, SIGTRAP, SIGABRT, SIGBUS, SIGFPE,
+                           SIGKILL, SIGSEGV, SIGPIPE, SIGTERM, SIGUSR1, SIGSYS}) {
+    const Result result = run(attack("signal", {std::to_string(number)}));
+    EXPECT_EQ(result.end, End::signalled) << number << describe(result);
+    EXPECT_EQ(result.signal, number);
+    EXPECT_THAT(result.detail, HasSubstr("signal " + std::to_string(number) + " (SIG"));
+  }
+}
+
+TEST_P(SandboxEnds, Faults) {
+  if (delegated()) return;
+  const std::pair<const char*, int> faults[] = {
+      {"segv", SIGSEGV}, {"stack", SIGSEGV}, {"fpe", SIGFPE}, {"ill", SIGILL}, {"abrt", SIGABRT}};
+  for (const auto& [kind, number] : faults) {
+    const Result result = run(attack("fault", {kind}));
+    EXPECT_EQ(result.end, End::signalled) << kind << describe(result);
+    EXPECT_EQ(result.signal, number) << kind;
+    EXPECT_FALSE(fs::exists("core"));
+  }
+}
+
+TEST_P(SandboxEnds, SetupFailedSaysWhy) {
+  if (delegated()) return;
+  const auto detail = [](const Command& command) {
+    const Result result = run(command);
+    EXPECT_EQ(result.end, End::setupFailed) << describe(result);
+    return result.detail;
+  };
+  Command command;
+  EXPECT_EQ(detail(command), "the command must be an absolute path");
+  command.arguments = {"true"};
+  EXPECT_EQ(detail(command), "the command must be an absolute path");
+  command.arguments = {"/usr/bin/there-is-no-such-program"};
+  EXPECT_EQ(detail(command),
+            "cannot start /usr/bin/there-is-no-such-program: No such file or directory");
+  command.arguments = {"/usr/bin/true", std::string("a\0b", 3)};
+  EXPECT_EQ(detail(command), "an argument holds a NUL byte");
+  command.arguments = {"/usr/bin/true"};
+  command.workingDirectory = "/nowhere";
+  EXPECT_EQ(detail(command), "cannot enter /nowhere: No such file or directory");
+  command.workingDirectory = "/scratch";
+  command.mounts = {{folder() + "/missing", "/missing"}};
+  EXPECT_EQ(detail(command), "cannot mount " + folder() + "/missing: it does not exist");
+  command.mounts = {{folder(), "/usr"}};
+  EXPECT_EQ(detail(command), "mount point /usr is the sandbox's own");
+  command.mounts = {{folder(), "/a/../b"}};
+  EXPECT_EQ(detail(command), "mount point /a/../b is not a plain absolute path");
+  command.mounts = {};
+  command.collect = "/scratch/product";
+  EXPECT_EQ(detail(command), "collect and collectInto go together");
+  command.collectInto = folder() + "/no/folder";
+  EXPECT_EQ(detail(command), "cannot write " + folder() + "/no/folder: No such file or directory");
+  command.collect = command.collectInto = "";
+  command.inheritedDescriptor = 1;
+  EXPECT_EQ(detail(command), "descriptors 0 to 2 cannot be inherited");
+  command.inheritedDescriptor = 4000;
+  EXPECT_EQ(detail(command), "the inherited descriptor is not open");
+}
+
+TEST_P(SandboxEnds, AFolderThatTheWorkerMayNotReadIsNamed) {
+  if (geteuid() != 0 || std::string(GetParam()) == "user")
+    GTEST_SKIP() << "an ordinary user is the worker itself";
+  fs::create_directory(folder() + "/locked");
+  fs::permissions(folder() + "/locked", fs::perms(0700));
+  Command command = attack("exit", {"0"});
+  command.mounts.push_back({folder() + "/locked", "/locked"});
+  const Result result = run(command);
+  EXPECT_EQ(result.end, End::setupFailed);
+  EXPECT_EQ(result.detail, "the sandbox's user may not read " + folder() +
+                               "/locked: Permission denied (remedy: chmod -R go+rX " + folder() +
+                               "/locked)");
+  // A folder below one that only root may enter, like a clone in /root, works.
+  fs::create_directory(folder() + "/locked/open");
+  command.mounts.back() = {folder() + "/locked/open", "/open"};
+  EXPECT_EQ(run(command).end, End::exited) << describe(run(command));
+}
+
+TEST_P(SandboxEnds, AFileThatCannotBeExecutedIsNotOurFault) {
+  if (delegated()) return;
+  std::ofstream(folder() + "/data/program") << "no program\n";
+  fs::permissions(folder() + "/data/program", fs::perms(0755));
+  Command command = attack("exit");
+  command.arguments = {"/attack/data/program"};
+  const Result result = run(command);
+  EXPECT_EQ(result.end, End::exited) << describe(result);
+  EXPECT_EQ(result.exitCode, 126);
+  EXPECT_EQ(result.detail, "cannot execute /attack/data/program: Exec format error");
+}
+
+SANDBOX_SUITE(SandboxNone);
+
+TEST_P(SandboxNone, LimitsHoldWithoutASandbox) {
+  if (delegated()) return;
+  Command command;
+  command.workingDirectory = "/tmp";
+  const auto outcome = [&](const std::string& script) {
+    command.arguments = {"/bin/sh", "-c", script};
+    command.environment = {{"PATH", "/usr/bin"}};
+    command.limits.wallSeconds = 0.5;
+    return ggrade::sandbox::run(command, Isolation::none);
+  };
+  EXPECT_EQ(outcome("exit 9").exitCode, 9);
+  EXPECT_EQ(outcome("kill -ABRT $$").signal, SIGABRT);
+  EXPECT_EQ(outcome("ls /proc/self/fd").standardOutput, "0\n1\n2\n3\n");
+  const std::string mark = marker();
+  const Result late =
+      outcome("setsid sh -c 'while :; do sleep 1; done; # " + mark + "' & sleep 60");
+  EXPECT_EQ(late.end, End::timeLimit) << describe(late);
+  EXPECT_TRUE(processesWith(mark).empty());
+  command.limits.memoryBytes = 50 << 20;
+  const Result large = outcome("x=$(head -c 200000000 /dev/zero | tr '\\0' x); sleep 60");
+  EXPECT_EQ(large.end, End::memoryLimit) << describe(large);
+}
+
+TEST_P(SandboxNone, WhatItCannotDoIsRefused) {
+  if (delegated()) return;
+  Command command;
+  command.arguments = {"/usr/bin/true"};
+  command.workingDirectory = "/tmp";
+  command.mounts = {{folder(), folder()}};
+  EXPECT_EQ(ggrade::sandbox::run(command, Isolation::none).end, End::exited);
+  command.mounts = {{folder(), "/elsewhere"}};
+  EXPECT_EQ(ggrade::sandbox::run(command, Isolation::none).detail,
+            "without a sandbox " + folder() + " cannot appear as /elsewhere");
+  command.mounts = {};
+  command.privateCopies = {{folder(), "/copy"}};
+  EXPECT_EQ(ggrade::sandbox::run(command, Isolation::none).detail,
+            "without a sandbox there are no private copies");
+}

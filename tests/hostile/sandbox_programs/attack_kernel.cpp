@@ -1,0 +1,160 @@
+// Doors into the kernel that no picture needs.
+#include "attacker.hpp"
+
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+#include <fcntl.h>
+#include <sched.h>
+#include <sys/ioctl.h>
+#include <sys/personality.h>
+#include <sys/ptrace.h>
+#include <sys/reboot.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/uio.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace attacker {
+namespace {
+
+int socketAttack(const Arguments&) {
+  Attempts attempts;
+  const struct {
+    const char* name;
+    int family, type;
+  } kinds[] = {{"TCP", AF_INET, SOCK_STREAM},
+               {"UDP", AF_INET, SOCK_DGRAM},
+               {"TCP over IPv6", AF_INET6, SOCK_STREAM},
+               {"UNIX", AF_UNIX, SOCK_STREAM},
+               {"netlink", AF_NETLINK, SOCK_RAW},
+               {"packet", AF_PACKET, SOCK_RAW},
+               {"vsock", AF_VSOCK, SOCK_STREAM},
+               {"alg", AF_ALG, SOCK_SEQPACKET}};
+  for (const auto& kind : kinds)
+    attempts.add(std::string(kind.name) + " socket", socket(kind.family, kind.type, 0) >= 0);
+  int pair[2];
+  attempts.add("socketpair", socketpair(AF_UNIX, SOCK_STREAM, 0, pair) == 0);
+  return attempts.outcome();
+}
+
+int traceAttack(const Arguments&) {
+  Attempts attempts;
+  attempts.add("attach to init", ptrace(PTRACE_ATTACH, 1, nullptr, nullptr) == 0);
+  attempts.add("seize init", ptrace(PTRACE_SEIZE, 1, nullptr, nullptr) == 0);
+  attempts.add("be traced", ptrace(PTRACE_TRACEME, 0, nullptr, nullptr) == 0);
+  char byte = 0;
+  iovec local{&byte, 1}, remote{&byte, 1};
+  attempts.add("read init's memory", process_vm_readv(1, &local, 1, &remote, 1, 0) >= 0);
+  attempts.add("read own memory", process_vm_readv(getpid(), &local, 1, &remote, 1, 0) >= 0);
+  attempts.add("write memory", process_vm_writev(getpid(), &local, 1, &remote, 1, 0) >= 0);
+  const auto init = static_cast<int>(syscall(SYS_pidfd_open, 1, 0));
+  attempts.add("take init's descriptor", syscall(SYS_pidfd_getfd, init, 0, 0) >= 0);
+  attempts.add("kcmp", syscall(SYS_kcmp, getpid(), 1, 0, 0, 0) >= 0);
+  return attempts.outcome();
+}
+
+int namespaceAttack(const Arguments&) {
+  Attempts attempts;
+  const struct {
+    const char* name;
+    int flag;
+  } kinds[] = {{"user", CLONE_NEWUSER},    {"mnt", CLONE_NEWNS},  {"pid", CLONE_NEWPID},
+               {"net", CLONE_NEWNET},      {"ipc", CLONE_NEWIPC}, {"uts", CLONE_NEWUTS},
+               {"cgroup", CLONE_NEWCGROUP}};
+  for (const auto& kind : kinds) {
+    const std::string name = kind.name;
+    attempts.add("unshare " + name, unshare(kind.flag) == 0);
+    attempts.add("unshare user and " + name, unshare(CLONE_NEWUSER | kind.flag) == 0);
+    const long child = syscall(SYS_clone, kind.flag | SIGCHLD, nullptr, nullptr, nullptr, nullptr);
+    if (child == 0) _exit(0);
+    attempts.add("clone " + name, child > 0);
+    const int file = open(("/proc/self/ns/" + name).c_str(), O_RDONLY | O_CLOEXEC);
+    attempts.add("setns " + name, setns(file, 0) == 0);
+  }
+  std::uint64_t arguments[8] = {CLONE_NEWUSER, 0, 0, 0, SIGCHLD, 0, 0, 0};
+  const long child = syscall(SYS_clone3, arguments, sizeof arguments);
+  if (child == 0) _exit(0);
+  attempts.add("clone3", child > 0);
+  return attempts.outcome();
+}
+
+int kernelAttack(const Arguments&) {
+  Attempts attempts;
+  attempts.add("keyctl", syscall(SYS_keyctl, 0, -3, 0) >= 0);
+  attempts.add("add_key", syscall(SYS_add_key, "user", "a", "b", 1, -2) >= 0);
+  attempts.add("request_key", syscall(SYS_request_key, "user", "a", nullptr, -2) >= 0);
+  char zeros[256] = {};
+  attempts.add("bpf", syscall(SYS_bpf, 0, zeros, sizeof zeros) >= 0);
+  attempts.add("perf_event_open", syscall(SYS_perf_event_open, zeros, 0, -1, -1, 0) >= 0);
+  attempts.add("userfaultfd", syscall(SYS_userfaultfd, 1) >= 0);
+  attempts.add("io_uring_setup", syscall(SYS_io_uring_setup, 4, zeros) >= 0);
+  attempts.add("kexec_load", syscall(SYS_kexec_load, 0, 0, nullptr, 0) >= 0);
+  attempts.add("reboot", reboot(RB_DISABLE_CAD) == 0);
+  attempts.add("init_module", syscall(SYS_init_module, zeros, 1, "") >= 0);
+  attempts.add("personality", personality(ADDR_NO_RANDOMIZE) >= 0);
+  attempts.add("syslog", syscall(SYS_syslog, 10, nullptr, 0) >= 0);
+  attempts.add("sethostname", sethostname("mine", 4) == 0);
+  attempts.add("fanotify_init", syscall(SYS_fanotify_init, 0, 0) >= 0);
+  attempts.add("open_by_handle_at", syscall(SYS_open_by_handle_at, AT_FDCWD, zeros, 0) >= 0);
+  attempts.add("quotactl", syscall(SYS_quotactl, 0, nullptr, 0, nullptr) >= 0);
+  attempts.add("acct", syscall(SYS_acct, "/scratch/acct") >= 0);
+  attempts.add("a system call of the future", syscall(600) >= 0);
+  char letter = 'x';
+  attempts.add("TIOCSTI", ioctl(0, TIOCSTI, &letter) == 0);
+  // The upper half of the request is ignored by the kernel and must not fool the filter.
+  attempts.add("TIOCSTI in disguise",
+               syscall(SYS_ioctl, 0, 0x100000000ull | TIOCSTI, &letter) == 0);
+  attempts.add("run in real time", [] {
+    const sched_param parameters{10};
+    return sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
+  }());
+  return attempts.outcome();
+}
+
+/// Prints the errno of calls that the filter refuses: it, and not the kernel, must be the one.
+int filterAttack(const Arguments&) {
+  const auto print = [](const char* name, long result) {
+    std::printf("%s %d\n", name, result < 0 ? errno : 0);
+  };
+  print("keyctl", syscall(SYS_keyctl, 0, -3, 0));
+  print("ptrace", syscall(SYS_ptrace, 0xffff, 0, 0, 0));
+  print("socket", syscall(SYS_socket, -1, -1, -1));
+  print("unshare", syscall(SYS_unshare, 0));
+  print("mount", syscall(SYS_mount, nullptr, nullptr, nullptr, 0, nullptr));
+  print("bpf", syscall(SYS_bpf, 9999, nullptr, 0));
+  print("memfd_create", syscall(SYS_memfd_create, nullptr, 0xffff));
+  print("clone3", syscall(SYS_clone3, nullptr, 0));
+  return 0;
+}
+
+/// A 32-bit system call from a 64-bit program: its numbers mean other things.
+int foreignAttack(const Arguments& arguments) {
+#if defined(__x86_64__)
+  if (arguments.at(0) == "i386") {
+    long result = 20; // getpid
+    __asm__ volatile("int $0x80" : "+a"(result) : : "memory");
+  } else {
+    syscall(0x40000000 + SYS_getpid); // x32
+  }
+  return kEscaped;
+#else
+  (void)arguments;
+  raise(SIGSYS);
+  return 0;
+#endif
+}
+
+} // namespace
+
+void addKernelAttacks(Attacks& attacks) {
+  attacks.insert({{"socket", socketAttack},
+                  {"trace", traceAttack},
+                  {"namespace", namespaceAttack},
+                  {"kernel", kernelAttack},
+                  {"filter", filterAttack},
+                  {"foreign", foreignAttack}});
+}
+
+} // namespace attacker
