@@ -172,9 +172,10 @@ Declarations Declarations::fromText(std::string_view text, const std::string& na
   return result;
 }
 
-Declarations Declarations::fromFile(const std::filesystem::path& file) {
+Declarations Declarations::fromFile(const std::string& file) {
+  const std::filesystem::path path = fromUtf8(file);
   try {
-    return fromText(readFile(file), toUtf8(file.filename()));
+    return fromText(readFile(path), toUtf8(path.filename()));
   } catch (const FileError& error) {
     throw SceneError(error.what());
   }

@@ -84,17 +84,17 @@ Image noiseImage(int size, int cells, int octaves, std::uint32_t seed) {
   return image;
 }
 
-Image readPng(const std::filesystem::path& file) {
+Image readPng(const std::string& file) {
   // From memory: libpng opens names in the system's own encoding only.
-  const std::string bytes = readFile(file);
+  const std::string bytes = readFile(fromUtf8(file));
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
-    throw FileError(toUtf8(file) + ": is not a PNG image: " + png.message);
+    throw FileError(file + ": is not a PNG image: " + png.message);
   constexpr png_uint_32 kLargest = 16384;
   if (png.width > kLargest || png.height > kLargest) {
     png_image_free(&png);
-    throw FileError(toUtf8(file) + ": is larger than 16384 pixels");
+    throw FileError(file + ": is larger than 16384 pixels");
   }
   png.format = PNG_FORMAT_RGBA;
   Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
@@ -102,7 +102,7 @@ Image readPng(const std::filesystem::path& file) {
   // A negative stride: the file's first row is the picture's top, which is OpenGL's last.
   const auto stride = -static_cast<png_int_32>(4 * png.width);
   if (png_image_finish_read(&png, nullptr, image.rgba.data(), stride, nullptr) == 0)
-    throw FileError(toUtf8(file) + ": is damaged: " + png.message);
+    throw FileError(file + ": is damaged: " + png.message);
   return image;
 }
 

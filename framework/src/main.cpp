@@ -25,10 +25,10 @@ std::string meshFromHere(const std::string& name) {
 
 void run(const gg::detail::Arguments& arguments) {
   const std::filesystem::path folder = gg::programFolder();
-  const std::filesystem::path sceneFile =
-      arguments.scene ? gg::fromUtf8(*arguments.scene) : folder / "scene.json";
-  gg::Scene scene =
-      gg::Scene::fromFile(sceneFile, gg::Declarations::fromFile(folder / "assignment.json"));
+  const std::string sceneFile =
+      arguments.scene ? *arguments.scene : gg::toUtf8(folder / "scene.json");
+  gg::Scene scene = gg::Scene::fromFile(
+      sceneFile, gg::Declarations::fromFile(gg::toUtf8(folder / "assignment.json")));
   if (arguments.size) scene.size = *arguments.size;
   if (arguments.mesh) {
     if (!scene.has("mesh"))

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <gg/platform.hpp>
+#include <gg/text_file.hpp>
 
 namespace gg {
 
@@ -53,7 +54,7 @@ void Mesh::draw() const {
 }
 
 Mesh loadMesh(const std::string& name) {
-  return loadMeshData(name, programFolder());
+  return loadMeshData(name, toUtf8(programFolder()));
 }
 
 } // namespace gg

@@ -61,15 +61,15 @@ void computeTangents(MeshData& mesh) {
   }
 }
 
-MeshData loadMeshData(const std::string& name, const std::filesystem::path& folder) {
+MeshData loadMeshData(const std::string& name, const std::string& folder) {
   if (name == "torus_knot") return torusKnot();
   if (name == "box") return box();
   if (name == "plane") return plane(1, 1);
-  const std::filesystem::path file = folder / fromUtf8(name);
+  const std::filesystem::path file = fromUtf8(folder) / fromUtf8(name);
   if (!std::filesystem::exists(file))
     throw FileError("mesh \"" + name + "\": not torus_knot, box or plane, and no OBJ file " +
                     toUtf8(file));
-  MeshData mesh = readObj(file);
+  MeshData mesh = readObj(toUtf8(file));
   standOnFloor(mesh);
   return mesh;
 }

@@ -201,8 +201,9 @@ MeshData readObjText(const std::string& text, const std::string& name) {
   return builder.finish();
 }
 
-MeshData readObj(const std::filesystem::path& file) {
-  return readObjText(readFile(file), toUtf8(file.filename()));
+MeshData readObj(const std::string& file) {
+  const std::filesystem::path path = fromUtf8(file);
+  return readObjText(readFile(path), toUtf8(path.filename()));
 }
 
 } // namespace gg

@@ -9,6 +9,7 @@
 #include <gg/error.hpp>
 #include <gg/light.hpp>
 #include <gg/platform.hpp>
+#include <gg/text_file.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace gg {
@@ -125,12 +126,13 @@ const char* typeName(GLenum type) {
 
 } // namespace
 
-Program::Program(std::initializer_list<const char*> files) {
+Program::Program(std::initializer_list<const char*> files, const std::string& folder) {
+  const std::filesystem::path from = folder.empty() ? programFolder() : fromUtf8(folder);
   std::string errors;
   for (const std::string file : files) {
     files_ += (files_.empty() ? "" : " + ") + file;
     stageOf(file);
-    const detail::ShaderSource source = detail::readShader(file, programFolder());
+    const detail::ShaderSource source = detail::readShader(file, from);
     source_ += source.text;
     errors += addStage(program_, file, source);
   }

@@ -124,9 +124,10 @@ Scene Scene::fromText(std::string_view text, const std::string& name,
   return scene;
 }
 
-Scene Scene::fromFile(const std::filesystem::path& file, const Declarations& declarations) {
+Scene Scene::fromFile(const std::string& file, const Declarations& declarations) {
+  const std::filesystem::path path = fromUtf8(file);
   try {
-    return fromText(readFile(file), toUtf8(file.filename()), declarations);
+    return fromText(readFile(path), toUtf8(path.filename()), declarations);
   } catch (const FileError& error) {
     throw SceneError(error.what());
   }

@@ -19,7 +19,7 @@ Texture makeTexture(const Image& image) {
 }
 
 Texture loadTexture(const std::string& file) {
-  return makeTexture(readPng(programFolder() / fromUtf8(file)));
+  return makeTexture(readPng(toUtf8(programFolder() / fromUtf8(file))));
 }
 
 } // namespace gg

@@ -2,7 +2,6 @@
 /// \file
 /// Which keys a scene may have: those of every scene and those that an assignment declares.
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -42,8 +41,9 @@ public:
   /// The keys of every scene, with the given materials and no key of an assignment's own.
   explicit Declarations(const std::vector<std::string>& materials = {});
 
-  /// Reads an assignment.json. Throws SceneError if it can't be read or declares something wrongly.
-  static Declarations fromFile(const std::filesystem::path& file);
+  /// Reads an assignment.json (a UTF-8 name). Throws SceneError if it can't be read or declares
+  /// something wrongly.
+  static Declarations fromFile(const std::string& file);
   /// The same from text; `name` stands in messages.
   static Declarations fromText(std::string_view text, const std::string& name);
 

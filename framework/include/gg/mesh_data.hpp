@@ -2,10 +2,9 @@
 /// \file
 /// Triangle meshes as plain data, made by formula or read from a Wavefront OBJ file.
 ///
-/// Front faces are counterclockwise seen from outside; y is up.
+/// Front faces are counterclockwise seen from outside; y is up. File names are UTF-8.
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,14 +39,14 @@ MeshData plane(float width, float depth);
 /// A mesh file in the Wavefront OBJ format, in the file's own units. Polygons are cut into
 /// triangles, normals are computed where the file has none, triangles without area are dropped.
 /// Throws FileError with file and line.
-MeshData readObj(const std::filesystem::path& file);
+MeshData readObj(const std::string& file);
 /// The same from text; `name` stands in messages.
 MeshData readObjText(const std::string& text, const std::string& name);
 
 /// "torus_knot", "box", "plane" (1 by 1), or a path to an OBJ file, to which standOnFloor is done.
 ///   folder: where a relative path starts
 /// Throws FileError.
-MeshData loadMeshData(const std::string& name, const std::filesystem::path& folder);
+MeshData loadMeshData(const std::string& name, const std::string& folder);
 
 /// Scales and moves a mesh to be 1 high (1 at its widest if it is flat), to stand on y = 0 and in
 /// the middle of x and z.

@@ -26,7 +26,8 @@ namespace gg {
 class Program {
 public:
   /// Compiles and links. Throws ShaderError with file, line, column, the line itself and a caret.
-  explicit Program(std::initializer_list<const char*> files);
+  ///   folder: where the files are (UTF-8); empty is the program's own folder
+  explicit Program(std::initializer_list<const char*> files, const std::string& folder = {});
 
   /// glUseProgram.
   void use() const { glUseProgram(program_); }

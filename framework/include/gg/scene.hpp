@@ -2,7 +2,6 @@
 /// \file
 /// What to draw, as read from scene.json.
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -22,9 +21,9 @@ namespace gg {
 /// program and throws std::invalid_argument.
 class Scene {
 public:
-  /// Reads a scene file and checks it against the declarations.
+  /// Reads a scene file (a UTF-8 name) and checks it against the declarations.
   /// Throws SceneError with file, line, key, value and what is allowed.
-  static Scene fromFile(const std::filesystem::path& file, const Declarations& declarations);
+  static Scene fromFile(const std::string& file, const Declarations& declarations);
   /// The same from text; `name` stands in messages.
   static Scene fromText(std::string_view text, const std::string& name,
                         const Declarations& declarations);

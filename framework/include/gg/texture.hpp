@@ -3,7 +3,6 @@
 /// Images, and textures made from them.
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -28,8 +27,8 @@ Image checkerImage(int size, int squares, const glm::vec3& a, const glm::vec3& b
 ///   size: pixels, width and height;  cells: of the coarsest layer, along a side
 Image noiseImage(int size, int cells, int octaves, std::uint32_t seed);
 
-/// Reads a PNG file of any kind. Throws FileError.
-Image readPng(const std::filesystem::path& file);
+/// Reads a PNG file of any kind; `file` is UTF-8. Throws FileError.
+Image readPng(const std::string& file);
 
 /// A repeating texture with mipmaps (trilinear). The values are used as they are.
 /// Leaves it bound. Calls glTexImage2D, glGenerateMipmap, glTexParameteri.
