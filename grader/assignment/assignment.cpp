@@ -1,0 +1,142 @@
+#include "assignment/assignment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace ggrade {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+Todo readTodo(const json& from) {
+  return {from.at("id"), from.at("title"), from.value("bonus", false),
+          from.value("beyond_lecture", false)};
+}
+
+report::ItemKind readKind(const std::string& kind) {
+  if (kind == "gain") return report::ItemKind::gain;
+  if (kind == "keep") return report::ItemKind::keep;
+  if (kind == "bonus") return report::ItemKind::bonus;
+  throw UsageError(fmt::format("kind must be gain, keep or bonus, but is \"{}\"", kind));
+}
+
+ItemDeclaration readItem(const json& from) {
+  ItemDeclaration item;
+  item.id = from.at("id");
+  item.title = from.at("title");
+  item.looksAt = from.at("looks_at");
+  item.kind = readKind(from.at("kind"));
+  item.points = from.at("points");
+  if (!(item.points >= 0))
+    throw UsageError(fmt::format("{}: points must not be negative", item.id));
+  item.cause = from.at("cause");
+  item.step = from.at("step");
+  item.beyondLecture = from.value("beyond_lecture", false);
+  item.scenes = from.value("scenes", std::vector<std::string>{});
+  return item;
+}
+
+Part readPart(const json& from) {
+  Part part;
+  part.id = from.at("id");
+  part.title = from.at("title");
+  part.scene = from.value("scene", json::object());
+  for (const json& todo : from.at("todos")) part.todos.push_back(readTodo(todo));
+  for (const json& item : from.value("items", json::array())) part.items.push_back(readItem(item));
+  return part;
+}
+
+} // namespace
+
+std::string readFile(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (!in || !(text << in.rdbuf()))
+    // An empty file sets failbit on `text`; that is no error.
+    if (!in || fs::file_size(path) != 0)
+      throw UsageError(fmt::format("can't read {}", path.string()));
+  return text.str();
+}
+
+json readJson(const fs::path& path) {
+  const std::string text = readFile(path);
+  try {
+    return json::parse(text);
+  } catch (const json::parse_error& error) {
+    const std::size_t end = std::min<std::size_t>(error.byte, text.size());
+    const auto line = 1 + std::count(text.begin(), text.begin() + end, '\n');
+    throw UsageError(fmt::format("{}:{}: {}", path.string(), line, error.what()));
+  }
+}
+
+Assignment Assignment::load(const fs::path& folder) {
+  const fs::path path = folder / "assignment.json";
+  const json from = readJson(path);
+  try {
+    Assignment assignment;
+    assignment.id = from.at("id");
+    assignment.title = from.at("title");
+    assignment.files = from.at("files");
+    assignment.optionalFiles = from.value("files_optional", std::vector<std::string>{});
+    for (const json& part : from.at("parts")) assignment.parts.push_back(readPart(part));
+    assignment.folder = folder;
+    if (assignment.id != folder.filename())
+      throw UsageError(fmt::format("id is \"{}\" but the folder is \"{}\"", assignment.id,
+                                   folder.filename().string()));
+    return assignment;
+  } catch (const json::exception& error) {
+    throw UsageError(fmt::format("{}: {}", path.string(), error.what()));
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
+double Target::maxScore() const {
+  double sum = 0;
+  for (const ItemDeclaration& item : items())
+    if (item.kind == report::ItemKind::gain) sum += item.points;
+  return sum;
+}
+
+std::vector<ItemDeclaration> Target::items() const {
+  std::vector<ItemDeclaration> all;
+  for (const Part& part : parts) all.insert(all.end(), part.items.begin(), part.items.end());
+  return all;
+}
+
+bool Target::covers(const std::string& partId) const {
+  return std::any_of(parts.begin(), parts.end(), [&](const Part& p) { return p.id == partId; });
+}
+
+std::vector<Assignment> loadAssignments(const fs::path& folder) {
+  std::vector<Assignment> all;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+    if (fs::exists(entry.path() / "assignment.json")) all.push_back(Assignment::load(entry.path()));
+  std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  return all;
+}
+
+Target findTarget(const fs::path& folder, const std::string& id) {
+  std::string known;
+  for (Assignment& assignment : loadAssignments(folder)) {
+    if (assignment.id == id) {
+      std::vector<Part> parts = assignment.parts;
+      return {std::move(assignment), std::move(parts), id};
+    }
+    known += (known.empty() ? "" : ", ") + assignment.id;
+    for (const Part& part : assignment.parts) {
+      if (part.id == id) return {assignment, {part}, id};
+      known += ", " + part.id;
+    }
+  }
+  throw UsageError(fmt::format("there is no assignment or part \"{}\"; there are: {}", id,
+                               known.empty() ? "none in " + folder.string() : known));
+}
+
+} // namespace ggrade

@@ -1,0 +1,90 @@
+#pragma once
+/// \file
+/// What an assignment declares in its assignment.json: files, parts, TODOs, rubric items and
+/// points.
+
+#include "report/results.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace ggrade {
+
+/// A fault in what an instructor or author wrote, or in how the tool was called. The message names
+/// the file, the value and the remedy.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One place that a student fills in.
+struct Todo {
+  std::string id; ///< "mirror.3"
+  std::string title;
+  bool bonus = false;
+  bool beyondLecture = false;
+};
+
+/// One rubric item as declared; what it measures is code in `solutions/<id>/rubric.cpp`.
+struct ItemDeclaration {
+  std::string id; ///< "mirror.shading"
+  std::string title;
+  std::string looksAt;
+  report::ItemKind kind = report::ItemKind::gain;
+  double points = 0;
+  std::string cause; ///< what a failure most likely means
+  std::string step;  ///< the TODO whose step in the handout helps, "mirror.5"
+  bool beyondLecture = false;
+  std::vector<std::string>
+      scenes; ///< tags of the scenes that it looks at; empty: all but bonus scenes
+};
+
+/// What is handed out, graded and given points together.
+struct Part {
+  std::string id; ///< "mirror"
+  std::string title;
+  nlohmann::json scene; ///< merged over scene.json when only this part is graded
+  std::vector<Todo> todos;
+  std::vector<ItemDeclaration> items;
+};
+
+struct Assignment {
+  std::string id; ///< "floor"
+  std::string title;
+  std::vector<std::string> files;         ///< what a student edits
+  std::vector<std::string> optionalFiles; ///< patterns such as "*.vert" that an upload may add
+  std::vector<Part> parts;
+  std::filesystem::path folder; ///< where it was read from
+
+  /// Reads `folder/assignment.json`. Throws UsageError.
+  static Assignment load(const std::filesystem::path& folder);
+};
+
+/// What is graded: some parts of one assignment.
+struct Target {
+  Assignment assignment;
+  std::vector<Part> parts; ///< one, or all of the assignment
+  std::string id;          ///< as it was named: "mirror" or "floor"
+
+  double maxScore() const; ///< sum of the points of the gain items
+  std::vector<ItemDeclaration> items() const;
+  /// Does `id` name this part's TODO or item?
+  bool covers(const std::string& partId) const;
+};
+
+/// All assignments under `root/assignments` (or `root/solutions`), by ID.
+std::vector<Assignment> loadAssignments(const std::filesystem::path& folder);
+
+/// Finds the assignment or part `id` under `folder`. Throws UsageError that lists what there is.
+Target findTarget(const std::filesystem::path& folder, const std::string& id);
+
+/// Reads a whole file. Throws UsageError naming it.
+std::string readFile(const std::filesystem::path& path);
+
+/// Parses JSON. Throws UsageError with `path:line`.
+nlohmann::json readJson(const std::filesystem::path& path);
+
+} // namespace ggrade

@@ -1,0 +1,89 @@
+#include "authoring/solution_blocks.hpp"
+
+#include "assignment/assignment.hpp"
+
+#include <fmt/format.h>
+
+#include <regex>
+
+namespace ggrade::authoring {
+
+namespace {
+
+struct Line {
+  std::string text;  // without the line's end
+  std::string block; // TODO that it belongs to; empty outside blocks
+  bool marker = false;
+};
+
+std::vector<Line> parse(std::string_view text, const std::string& file) {
+  static const std::regex kMarker(R"(\s*//\s*(BEGIN|END) SOLUTION\(([a-z0-9_]+\.[0-9]+)\)\s*)");
+  std::vector<Line> lines;
+  std::string open;
+  std::size_t openedAt = 0;
+  for (std::size_t start = 0; start < text.size();) {
+    std::size_t end = text.find('\n', start);
+    if (end == text.npos) end = text.size();
+    std::string line(text.substr(start, end - start));
+    start = end + 1;
+    const std::size_t number = lines.size() + 1;
+    std::smatch match;
+    if (!std::regex_match(line, match, kMarker)) {
+      lines.push_back({line, open, false});
+      continue;
+    }
+    const std::string todo = match[2];
+    if (match[1] == "BEGIN") {
+      if (!open.empty())
+        throw UsageError(fmt::format("{}:{}: SOLUTION({}) begins inside SOLUTION({}) of line {}",
+                                     file, number, todo, open, openedAt));
+      open = todo;
+      openedAt = number;
+    } else {
+      if (open != todo)
+        throw UsageError(
+            fmt::format("{}:{}: END SOLUTION({}) has no BEGIN before it", file, number, todo));
+      open.clear();
+    }
+    lines.push_back({line, todo, true});
+  }
+  if (!open.empty())
+    throw UsageError(fmt::format("{}:{}: SOLUTION({}) is never closed", file, openedAt, open));
+  return lines;
+}
+
+} // namespace
+
+std::string withFilled(std::string_view text, const std::string& file,
+                       const std::set<std::string>& filled) {
+  std::string out;
+  bool removed = false; // was something taken out since the last line written?
+  bool blank = true;    // was the last line written blank?
+  for (const Line& line : parse(text, file)) {
+    if (line.marker || (!line.block.empty() && !filled.count(line.block))) {
+      removed = true;
+      continue;
+    }
+    const bool nowBlank = line.text.find_first_not_of(" \t\r") == line.text.npos;
+    if (!(removed && blank && nowBlank)) {
+      out += line.text + '\n';
+      blank = nowBlank;
+    }
+    removed = false;
+  }
+  return out;
+}
+
+std::vector<std::string> blocks(std::string_view text, const std::string& file) {
+  std::vector<std::string> found;
+  for (const Line& line : parse(text, file)) {
+    if (line.marker) {
+      if (line.text.find("BEGIN") != line.text.npos) found.emplace_back();
+    } else if (!line.block.empty()) {
+      found.back() += line.text + '\n';
+    }
+  }
+  return found;
+}
+
+} // namespace ggrade::authoring

@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// The marked places in a solution from which the student's stub is made.
+///
+/// A block is the lines between a comment `BEGIN SOLUTION(mirror.2)` and `END SOLUTION(mirror.2)`,
+/// each alone on its line after `//`. Blocks don't nest; one TODO may have several blocks.
+
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ggrade::authoring {
+
+/// The text with the blocks of `filled` kept and all others taken out; no marker stays. Where a
+/// block goes, two blank lines that meet become one. Throws UsageError as `file:line: ...` for a
+/// block that is not closed, closed twice or nested.
+std::string withFilled(std::string_view text, const std::string& file,
+                       const std::set<std::string>& filled);
+
+/// The text of every block (without markers), in order. Throws like withFilled.
+std::vector<std::string> blocks(std::string_view text, const std::string& file);
+
+} // namespace ggrade::authoring

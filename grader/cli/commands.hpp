@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// The subcommands, one file each. `add...` declares options and what runs when the command is
+/// named.
+
+#include <CLI/CLI.hpp>
+
+#include <filesystem>
+
+namespace ggrade::cli {
+
+/// Exit codes of the contract.
+enum ExitCode : int { kDone = 0, kNotGradable = 1, kUsage = 2, kNoSandbox = 3, kInterrupted = 130 };
+
+/// Set by the command that ran.
+extern int exitCode;
+
+std::filesystem::path assignmentsFolder();
+std::filesystem::path
+solutionFolder(const std::string& assignment); ///< throws UsageError if there is none
+/// Ends the command (kNoSandbox) with the remedy unless the sandbox holds.
+void requireSandbox();
+
+/// The folder may be made and written to; throws UsageError with the remedy before any work is
+/// done.
+void requireWritable(const std::filesystem::path& folder);
+
+void addList(CLI::App& app);
+void addRender(CLI::App& app);
+void addGrade(CLI::App& app);
+void addDemo(CLI::App& app);
+void addDerive(CLI::App& app);
+void addJudge(CLI::App& app);
+
+} // namespace ggrade::cli

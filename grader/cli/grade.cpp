@@ -1,0 +1,76 @@
+#include "cli/commands.hpp"
+
+#include "cli/terminal.hpp"
+#include "cli/write_reports.hpp"
+#include "grading/grade.hpp"
+#include "grading/workspace.hpp"
+
+#include <fmt/format.h>
+
+namespace ggrade::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+  std::string id, upload, out, reveal = "names";
+  std::uint64_t seed = 0;
+  bool haveSeed = false, solution = false, json = false;
+  std::vector<std::string> judgeArguments;
+};
+
+void grade(const Options& options) {
+  const Target target = findTarget(assignmentsFolder(), options.id);
+  const fs::path solutions = solutionFolder(target.assignment.id);
+  fs::path upload = fs::path(options.upload).lexically_normal();
+  const std::string name = fs::weakly_canonical(upload).filename().string();
+  const fs::path out =
+      options.out.empty() ? fs::path("out") / options.id / name : fs::path(options.out);
+  requireWritable(out);
+  requireSandbox();
+
+  Progress progress("grading " + name);
+  grading::GradeOptions how;
+  how.upload = upload;
+  how.solution = options.solution;
+  if (options.haveSeed) how.seed = options.seed;
+  how.judgeArguments = options.judgeArguments;
+  how.progress = std::ref(progress);
+  const report::Result result = grading::grade(target, solutions, how);
+  progress.clear();
+  writeReports(result, out, *report::parseReveal(options.reveal));
+  printResult(result, out, options.json);
+  if (result.outcome == report::Outcome::notGradable) exitCode = kNotGradable;
+}
+
+} // namespace
+
+void addGrade(CLI::App& app) {
+  auto* command = app.add_subcommand("grade", "Grades one submission");
+  auto options = std::make_shared<Options>();
+  command->add_option("ID", options->id, "Assignment or part (see ggrade list)")->required();
+  command->add_option("DIR", options->upload, "The folder with the submitted files")->required();
+  command->add_option("--out", options->out, "Where the results go (default out/ID/NAME)");
+  auto* seed = command->add_option("--seed", options->seed,
+                                   "Draws other hidden scenes (default: the assignment's)");
+  command->add_option("--reveal", options->reveal, "What the student's page says of hidden scenes")
+      ->check(CLI::IsMember({"none", "names", "details"}))
+      ->capture_default_str();
+  command->add_flag("--solution", options->solution, "DIR is a trusted folder of solutions/");
+  command->add_flag("--json", options->json, "Print results.json on stdout");
+  command->add_option("ARGUMENTS", options->judgeArguments,
+                      "After --: arguments for GoogleTest, such as --gtest_filter=mirror.*");
+  command->footer(
+      "Exit codes: 0 graded (whatever the score), 1 could not be graded, 2 usage, 3 no sandbox.\n\n"
+      "Examples:\n"
+      "  ggrade grade mirror uploads/ada\n"
+      "  ggrade grade mirror solutions/floor --solution\n"
+      "  ggrade grade mirror uploads/ada --seed 7 -- --gtest_filter='mirror.shading'");
+  command->callback([options, seed] {
+    options->haveSeed = seed->count() > 0;
+    grade(*options);
+  });
+}
+
+} // namespace ggrade::cli

@@ -1,0 +1,64 @@
+#include "cli/commands.hpp"
+
+#include "assignment/assignment.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <iostream>
+
+namespace ggrade::cli {
+
+namespace {
+
+double points(const Part& part, report::ItemKind kind) {
+  double sum = 0;
+  for (const ItemDeclaration& item : part.items)
+    if (item.kind == kind) sum += item.points;
+  return sum;
+}
+
+void list(bool asJson) {
+  nlohmann::json all = nlohmann::json::array();
+  for (const Assignment& assignment : loadAssignments(assignmentsFolder())) {
+    nlohmann::json parts = nlohmann::json::array();
+    for (const Part& part : assignment.parts)
+      parts.push_back({{"id", part.id},
+                       {"title", part.title},
+                       {"points", points(part, report::ItemKind::gain)},
+                       {"bonus", points(part, report::ItemKind::bonus)},
+                       {"todos", part.todos.size()}});
+    all.push_back({{"id", assignment.id},
+                   {"title", assignment.title},
+                   {"files", assignment.files},
+                   {"files_optional", assignment.optionalFiles},
+                   {"parts", parts}});
+  }
+  if (asJson) {
+    std::cout << all.dump(2) << '\n';
+    return;
+  }
+  for (const auto& assignment : all) {
+    fmt::print("{}  {}\n", assignment["id"].get<std::string>(),
+               assignment["title"].get<std::string>());
+    for (const auto& part : assignment["parts"])
+      fmt::print("  {:<14} {:>3} points + {} bonus, {} TODOs  {}\n", part["id"].get<std::string>(),
+                 part["points"].get<double>(), part["bonus"].get<double>(),
+                 part["todos"].get<int>(), part["title"].get<std::string>());
+    fmt::print("  edit: {}\n  may add: {}\n",
+               fmt::join(assignment["files"].get<std::vector<std::string>>(), " "),
+               fmt::join(assignment["files_optional"].get<std::vector<std::string>>(), " "));
+  }
+}
+
+} // namespace
+
+void addList(CLI::App& app) {
+  auto* command = app.add_subcommand("list", "The assignments, their points and editable files");
+  auto asJson = std::make_shared<bool>(false);
+  command->add_flag("--json", *asJson, "Print JSON");
+  command->footer("Example:\n  ggrade list");
+  command->callback([asJson] { list(*asJson); });
+}
+
+} // namespace ggrade::cli

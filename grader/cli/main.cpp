@@ -1,0 +1,114 @@
+#include "cli/commands.hpp"
+
+#include "assignment/assignment.hpp"
+#include "grading/toolchain.hpp"
+#include "grading/workspace.hpp"
+#include "sandbox/sandbox.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <cstring>
+
+#include <unistd.h>
+
+namespace ggrade::cli {
+
+namespace fs = std::filesystem;
+
+int exitCode = kDone;
+
+namespace {
+
+/// No sandbox: an outcome of its own, with its own exit code.
+struct NoSandbox : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+int run(int argc, char** argv) {
+  // `compare` links OpenImageIO and is a program of its own, so that nothing else pays for that.
+  if (argc > 1 && std::strcmp(argv[1], "compare") == 0) {
+    const std::string program = std::string(toolchain::kBuildFolder) + "/bin/ggrade-compare";
+    execv(program.c_str(), argv + 1);
+    throw UsageError(fmt::format("can't start {}: {}", program, std::strerror(errno)));
+  }
+  CLI::App app("Teaches and grades real-time graphics: builds a submission in a sandbox, renders "
+               "it and the\n"
+               "reference offscreen, and says in words and pictures what is right and what is not.",
+               "ggrade");
+  app.footer(
+      "Examples:\n"
+      "  ggrade demo\n"
+      "  ggrade grade mirror uploads/ada --out out/ada\n"
+      "  ggrade COMMAND --help\n\n"
+      "Also: ggrade run ID (a window), ggrade test (all tests), ggrade compare A B (two images).");
+  app.set_version_flag("--version", std::string("ggrade ") + toolchain::kVersion);
+  app.require_subcommand(1);
+  addList(app);
+  addRender(app);
+  addGrade(app);
+  addDemo(app);
+  addDerive(app);
+  addJudge(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? kDone : kUsage;
+  }
+  return exitCode;
+}
+
+} // namespace
+
+fs::path assignmentsFolder() {
+  return fs::path(toolchain::kSourceFolder) / "assignments";
+}
+
+fs::path solutionFolder(const std::string& assignment) {
+  const fs::path folder = fs::path(toolchain::kSourceFolder) / "solutions" / assignment;
+  if (!fs::is_directory(folder))
+    throw UsageError(
+        fmt::format("{} is not there: this command needs the solutions", folder.string()));
+  return folder;
+}
+
+void requireSandbox() {
+  if (const auto reason = sandbox::unavailable())
+    throw NoSandbox("no sandbox: " + *reason + "\nSubmissions are not run without one.");
+}
+
+void requireWritable(const fs::path& folder) {
+  std::error_code error;
+  fs::path there = fs::absolute(folder);
+  while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  if (!fs::is_directory(there, error))
+    throw UsageError(
+        fmt::format("{} is not a folder: name another one with --out", there.string()));
+  if (access(there.c_str(), W_OK | X_OK) != 0)
+    throw UsageError(
+        fmt::format("can't write to {}: {}. Name another folder with --out, or give yourself "
+                    "write permission",
+                    there.string(), std::strerror(errno)));
+}
+
+} // namespace ggrade::cli
+
+int main(int argc, char** argv) {
+  using namespace ggrade;
+  grading::catchInterrupts();
+  try {
+    return cli::run(argc, argv);
+  } catch (const grading::Interrupted&) {
+    std::fputs("\nggrade: stopped; nothing half-written was left behind\n", stderr);
+    return cli::kInterrupted;
+  } catch (const cli::NoSandbox& error) {
+    fmt::print(stderr, "ggrade: {}\n", error.what());
+    return cli::kNoSandbox;
+  } catch (const UsageError& error) {
+    fmt::print(stderr, "ggrade: {}\n", error.what());
+    return cli::kUsage;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "ggrade: {}\n", error.what());
+    return cli::kUsage;
+  }
+}

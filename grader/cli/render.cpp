@@ -1,0 +1,185 @@
+#include "cli/commands.hpp"
+
+#include "assignment/assignment.hpp"
+#include "cli/terminal.hpp"
+#include "grading/overlay.hpp"
+#include "grading/program.hpp"
+#include "grading/references.hpp"
+#include "grading/workspace.hpp"
+#include "image/png.hpp"
+#include "report/write_file.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace ggrade::cli {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using sandbox::Isolation;
+
+namespace {
+
+struct Options {
+  std::string target, out, scene, size;
+  std::vector<double> times = {0};
+  bool solution = false, json = false;
+  std::vector<std::string> program;
+};
+
+struct Size {
+  std::uint32_t width = 0, height = 0; ///< pixels; 0 as the program asks
+};
+
+Size parseSize(const std::string& text) {
+  if (text.empty()) return {};
+  Size size;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%ux%u%c", &size.width, &size.height, &rest) != 2 ||
+      size.width < 1 || size.height < 1 || size.width > channel::kMaxSide ||
+      size.height > channel::kMaxSide)
+    throw UsageError(fmt::format("--size {}: must be WIDTHxHEIGHT, such as 640x480, each 1 to {}",
+                                 text, channel::kMaxSide));
+  return size;
+}
+
+/// Which assignment a folder of files belongs to: the one whose program it holds.
+Target targetOf(const Options& options) {
+  const fs::path folder = options.target;
+  if (!fs::is_directory(folder)) return findTarget(assignmentsFolder(), options.target);
+  for (Assignment& assignment : loadAssignments(assignmentsFolder()))
+    if (fs::exists(folder / (assignment.id + ".cpp")))
+      return findTarget(assignmentsFolder(), assignment.id);
+  throw UsageError(
+      fmt::format("{} holds no assignment's program; an assignment is rendered from ID.cpp "
+                  "(see ggrade list)",
+                  options.target));
+}
+
+grading::Rendering renderTarget(const Options& options, Progress& progress) {
+  const Target target = targetOf(options);
+  const std::string& id = target.assignment.id;
+  const bool upload = fs::is_directory(options.target);
+  const fs::path sources = upload             ? fs::path(options.target)
+                           : options.solution ? solutionFolder(id)
+                                              : target.assignment.folder;
+  // A folder may be a stranger's; an ID names this tree's own files.
+  const Isolation isolation = upload ? Isolation::bwrap : Isolation::none;
+  if (upload) requireSandbox();
+
+  json scene = readJson(options.scene.empty() ? target.assignment.folder / "scene.json"
+                                              : fs::path(options.scene));
+  if (options.scene.empty())
+    for (const Part& part : target.parts) scene.merge_patch(part.scene);
+  const Size size = parseSize(options.size);
+  if (size.width) scene["size"] = {size.width, size.height};
+  grading::checkScene(target.assignment, scene,
+                      options.scene.empty() ? "scene.json" : options.scene);
+
+  grading::TemporaryFolder work;
+  grading::overlay(target.assignment, sources, work.path());
+  progress("building", 0, 2);
+  const grading::Happened built = grading::buildProgram(id, work.path(), isolation);
+  if (!built.ok()) return {built, {}};
+  progress("rendering", 1, 2);
+  return grading::renderScene(id, work.path(), scene, options.times, {}, isolation);
+}
+
+json trace(const grading::Rendering& rendering) {
+  const channel::Capture& capture = rendering.capture;
+  json frames = json::array(), messages = json::array();
+  for (std::size_t i = 0; i < capture.frames.size(); ++i) {
+    const channel::CapturedFrame& frame = capture.frames[i];
+    frames.push_back({{"image", fmt::format("frame-{}.png", i)},
+                      {"time", frame.time},
+                      {"width", frame.width},
+                      {"height", frame.height},
+                      {"seconds", frame.seconds},
+                      {"window_draws", frame.windowDraws},
+                      {"window_clears", frame.windowClears},
+                      {"framebuffer_at_swap", frame.boundFramebuffer},
+                      {"window_srgb", frame.windowSrgb}});
+  }
+  for (const channel::CapturedMessage& message : capture.messages)
+    messages.push_back(
+        {{"frame", message.frame}, {"count", message.count}, {"text", message.text}});
+  return {{"version", 1},
+          {"rows", "top first"},
+          {"values", "as stored in the window, 8 bits a channel"},
+          {"outcome", report::name(rendering.happened.outcome)},
+          {"gl_version", capture.glVersion},
+          {"gl_renderer", capture.glRenderer},
+          {"context_seconds", capture.contextSeconds},
+          {"shader_seconds", capture.shaderSeconds},
+          {"frames", frames},
+          {"messages", messages}};
+}
+
+void render(const Options& options) {
+  requireWritable(options.out);
+  Progress progress("render");
+  if (options.program.empty() && options.target.empty())
+    throw UsageError(
+        "name an assignment, a folder, or a program after --; see ggrade render --help");
+  const Size size = parseSize(options.size);
+  const grading::Rendering rendering =
+      options.program.empty()
+          ? renderTarget(options, progress)
+          : grading::renderProgram(options.program, options.times, size.width, size.height);
+  progress.clear();
+
+  grading::TemporaryFolder work(fs::absolute(options.out).lexically_normal().parent_path());
+  const auto frames = grading::rawFrames(rendering.capture);
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    writePng(work.path() / fmt::format("frame-{}.png", i), rubric::toImage(frames[i]));
+  const json trace = cli::trace(rendering);
+  report::writeFile(work.path() / "trace.json", trace.dump(2) + '\n');
+  work.publish(options.out, "trace.json");
+
+  if (options.json) {
+    std::cout << trace.dump(2) << '\n';
+  } else {
+    fmt::print("{}: {} frames in {}\n", report::name(rendering.happened.outcome), frames.size(),
+               options.out);
+    for (const channel::CapturedMessage& message : rendering.capture.messages)
+      fmt::print("  frame {}: {}\n", message.frame, message.text);
+  }
+  if (rendering.happened.outcome != report::Outcome::graded) {
+    std::fflush(stdout);
+    fmt::print(stderr, "{}\n{}", rendering.happened.detail, rendering.happened.output);
+  }
+  if (!rendering.happened.ok()) exitCode = kNotGradable;
+}
+
+} // namespace
+
+void addRender(CLI::App& app) {
+  auto* command = app.add_subcommand("render", "Renders frames offscreen: images and trace.json");
+  auto options = std::make_shared<Options>();
+  command->add_option("TARGET", options->target,
+                      "An assignment or part (its files in assignments/), or a folder of files");
+  command->add_option("--out", options->out, "Where frame-N.png and trace.json go")->required();
+  command->add_option("--scene", options->scene, "Another scene than the assignment's scene.json");
+  command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
+  command->add_option("--times", options->times, "Seconds, separated by commas")
+      ->delimiter(',')
+      ->capture_default_str();
+  command->add_flag("--solution", options->solution,
+                    "The reference instead of the assignment's own files");
+  command->add_flag("--json", options->json, "Print trace.json on stdout");
+  command->add_option("PROGRAM", options->program,
+                      "After --: any GLFW program and its arguments, run as it is");
+  command->footer("Exit codes: 0 all frames came, 1 not, 2 usage, 3 no sandbox.\n\n"
+                  "Examples:\n"
+                  "  ggrade render mirror --solution --out out/mirror\n"
+                  "  ggrade render uploads/ada --times 0,0.5,1 --out out/ada\n"
+                  "  ggrade render --out out/homework --size 640x480 -- ./homework --fast");
+  command->positionals_at_end(false);
+  command->callback([options] {
+    // What stands after -- is the program, also where TARGET was left out.
+    render(*options);
+  });
+}
+
+} // namespace ggrade::cli

@@ -1,0 +1,189 @@
+#include "grading/grade.hpp"
+
+#include "grading/judge_process.hpp"
+#include "grading/overlay.hpp"
+#include "grading/workspace.hpp"
+#include "image/compare.hpp"
+#include "image/difference.hpp"
+#include "report/text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+namespace ggrade::grading {
+
+namespace fs = std::filesystem;
+using report::Outcome;
+using sandbox::Isolation;
+
+namespace {
+
+/// Adds the time since its construction to the result when it goes.
+class Stopwatch {
+public:
+  Stopwatch(report::Result& result, std::string what) : result_(result), what_(std::move(what)) {}
+  ~Stopwatch() {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    result_.timings.push_back({what_, passed.count()});
+  }
+
+private:
+  report::Result& result_;
+  std::string what_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+report::Frame compareFrames(const Image& student, const Image& reference, double time) {
+  report::Frame frame{time, student, reference, {}, 1};
+  if (student.empty()) return frame;
+  const Comparison comparison = compare(student, reference);
+  frame.wrongShare = comparison.wrongShare;
+  frame.difference = differencePicture(student, reference);
+  return frame;
+}
+
+report::Scene describe(const rubric::SceneFolders& folders, const Rendering& rendering) {
+  report::Scene scene;
+  scene.name = folders.name;
+  scene.isPublic = folders.isPublic;
+  scene.outcome = report::name(rendering.happened.outcome);
+  scene.detail = rendering.happened.detail;
+  scene.output = rendering.happened.output;
+  scene.seconds = rendering.happened.seconds;
+  for (const channel::CapturedMessage& message : rendering.capture.messages)
+    scene.messages.push_back(message.text);
+  const auto student = rawFrames(rendering.capture);
+  const auto reference = rubric::readFrames(folders.reference);
+  for (std::size_t i = 0; i < reference.size(); ++i)
+    scene.frames.push_back(compareFrames(i < student.size() ? rubric::toImage(student[i]) : Image(),
+                                         rubric::toImage(reference[i]), reference[i].time));
+  return scene;
+}
+
+void score(report::Result& result) {
+  double sum = 0, bonus = 0;
+  for (const report::Item& item : result.items)
+    (item.kind == report::ItemKind::bonus ? bonus : sum) += item.earned;
+  result.score = std::max(0.0, std::round(sum * 10) / 10);
+  // A bonus comes on top of something.
+  result.bonus = result.score > 0 ? std::round(bonus * 10) / 10 : 0;
+}
+
+/// Items as declared, nothing earned: for submissions that never came to be judged.
+std::vector<report::Item> unearned(const Target& target, const std::string& why) {
+  std::vector<report::Item> items;
+  for (const ItemDeclaration& declared : target.items()) {
+    report::Item item;
+    item.id = declared.id;
+    item.title = declared.title;
+    item.looksAt = declared.looksAt;
+    item.kind = declared.kind;
+    item.points = declared.points;
+    item.beyondLecture = declared.beyondLecture;
+    item.message = why;
+    items.push_back(std::move(item));
+  }
+  return items;
+}
+
+} // namespace
+
+report::Result grade(const Target& target, const fs::path& solutionFolder,
+                     const GradeOptions& options) {
+  const Assignment& assignment = target.assignment;
+  const auto progress = [&](const std::string& what, std::size_t done, std::size_t total) {
+    if (options.progress) options.progress(what, done, total);
+  };
+  const ScenePlan plan =
+      drawScenes(target, solutionFolder, options.seed ? &*options.seed : nullptr);
+
+  report::Result result;
+  result.assignment = assignment.id;
+  result.part = target.id;
+  result.title = target.parts.size() == 1 ? target.parts[0].title : assignment.title;
+  result.submission =
+      report::sanitizeLine(fs::weakly_canonical(options.upload).filename().string());
+  result.seed = plan.seed;
+  result.maxScore = target.maxScore();
+  result.sandbox = "bwrap";
+
+  TemporaryFolder work;
+  const fs::path program = work.path() / "program";
+  fs::create_directory(program);
+  const Overlay taken = overlay(assignment, options.upload, program);
+  if (!options.solution) result.unusedFiles = taken.unused;
+  for (const std::string& name : taken.missing)
+    result.unusedFiles.push_back(name + ": not in the upload; the handed-out file stands in");
+
+  const References references =
+      prepareReferences(target, solutionFolder, plan,
+                        options.progress ? options.progress : Progress([](auto&&...) {}));
+  const std::size_t steps = references.scenes.size() + 2;
+  progress("building", 0, steps);
+  {
+    const Stopwatch time(result, "build");
+    const Happened built = buildProgram(assignment.id, program, Isolation::bwrap);
+    result.compilerOutput = built.output;
+    if (!built.ok()) {
+      result.outcome = built.outcome;
+      result.detail = built.detail;
+      result.items = unearned(target, "the program was not built");
+      return result;
+    }
+  }
+
+  std::vector<Rendering> renderings(references.scenes.size());
+  {
+    const Stopwatch time(result, "render");
+    std::atomic<std::size_t> done{1};
+    inParallel(
+        renderings.size(), std::max(1u, std::thread::hardware_concurrency()), [&](std::size_t i) {
+          renderings[i] = renderScene(assignment.id, program, plan.scenes[i].scene,
+                                      plan.scenes[i].times, references.shaders, Isolation::bwrap);
+          progress("rendering", ++done, steps);
+        });
+  }
+
+  std::vector<rubric::SceneFolders> folders = references.scenes;
+  result.outcome = Outcome::graded;
+  for (std::size_t i = 0; i < renderings.size(); ++i) {
+    const Happened& happened = renderings[i].happened;
+    folders[i].student = work.path() / fmt::format("student-{}", i);
+    rubric::writeFrames(folders[i].student, rawFrames(renderings[i].capture));
+    // The first scene that didn't go well names the outcome; no frames outweighs a GL error.
+    const bool worse =
+        result.outcome == Outcome::graded || (result.outcome == Outcome::glError && !happened.ok());
+    if (happened.outcome != Outcome::graded && worse) {
+      result.outcome = happened.outcome;
+      result.detail = fmt::format("{}: {}", folders[i].name, happened.detail);
+    }
+  }
+  if (result.fingerprint.empty() && !renderings.empty())
+    result.fingerprint = fingerprint(renderings[0].capture);
+
+  progress("judging", steps - 1, steps);
+  {
+    const Stopwatch time(result, "judge");
+    rubric::writeEvidence(work.path() / "evidence.json", assignment.folder, target.id, folders);
+    std::string problem;
+    result.items =
+        judge(target, work.path() / "evidence.json", work.path(), options.judgeArguments, problem);
+    if (!problem.empty()) {
+      result.outcome = Outcome::notGradable;
+      result.detail = problem;
+    }
+  }
+  score(result);
+  {
+    const Stopwatch time(result, "compare pictures");
+    for (std::size_t i = 0; i < renderings.size(); ++i)
+      result.scenes.push_back(describe(folders[i], renderings[i]));
+  }
+  progress("done", steps, steps);
+  return result;
+}
+
+} // namespace ggrade::grading

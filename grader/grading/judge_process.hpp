@@ -1,0 +1,15 @@
+#pragma once
+/// \file
+/// Runs the rubric in a process of its own, so that a crash there keeps what was judged before.
+
+#include "assignment/assignment.hpp"
+
+namespace ggrade::grading {
+
+/// Fills in the items of `target` from the judge's results in `work`. An item that the judge never
+/// reached stays unjudged and `problem` says why.
+std::vector<report::Item> judge(const Target& target, const std::filesystem::path& evidence,
+                                const std::filesystem::path& work,
+                                const std::vector<std::string>& arguments, std::string& problem);
+
+} // namespace ggrade::grading

@@ -1,0 +1,95 @@
+#include "grading/overlay.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+
+#include <fcntl.h>
+#include <fnmatch.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace ggrade::grading {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Reads one uploaded file without following a link or waiting on a FIFO. Returns why not, or "".
+std::string readUploaded(const fs::path& path, std::string& content) {
+  const int fd = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (fd < 0) return errno == ELOOP ? "a link" : "can't be read";
+  struct stat status = {};
+  std::string reason;
+  if (fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) {
+    reason = "not a regular file";
+  } else if (std::uintmax_t(status.st_size) > kLargestSource) {
+    reason = fmt::format("larger than {} KiB", kLargestSource / 1024);
+  } else {
+    content.resize(kLargestSource + 1);
+    std::size_t length = 0;
+    for (ssize_t got; length < content.size() &&
+                      (got = read(fd, content.data() + length, content.size() - length)) > 0;)
+      length += std::size_t(got);
+    content.resize(std::min<std::size_t>(length, kLargestSource));
+  }
+  close(fd);
+  return reason;
+}
+
+void writeFile(const fs::path& path, const std::string& content) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  if (!(out << content) || !out.flush())
+    throw UsageError(fmt::format("can't write {}: is the disk full?", path.string()));
+}
+
+} // namespace
+
+Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::path& into) {
+  if (!fs::is_directory(upload))
+    throw UsageError(fmt::format("{}: {}. Name the folder that holds {}", upload.string(),
+                                 fs::exists(upload) ? "is not a folder" : "there is no such folder",
+                                 fmt::join(assignment.files, ", ")));
+  Overlay result;
+  for (const char* name : {"assignment.json", "scene.json"})
+    writeFile(into / name, readFile(assignment.folder / name));
+  const auto has = [](const auto& list, const std::string& value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+  };
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(upload))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  for (const std::string& name : names) {
+    const bool optional = std::any_of(
+        assignment.optionalFiles.begin(), assignment.optionalFiles.end(),
+        [&](const std::string& pattern) { return fnmatch(pattern.c_str(), name.c_str(), 0) == 0; });
+    if (!has(assignment.files, name) && !optional) {
+      if (name != "assignment.json" && name != "scene.json" && name != "README.md")
+        result.unused.push_back(name + ": not a file of this assignment");
+      continue;
+    }
+    std::string content;
+    const std::string reason = readUploaded(upload / name, content);
+    if (!reason.empty()) {
+      result.unused.push_back(name + ": " + reason);
+      continue;
+    }
+    writeFile(into / name, content);
+    result.used.push_back(name);
+  }
+  if (result.used.empty())
+    throw UsageError(fmt::format("{} holds no file of {}: expected {}", upload.string(),
+                                 assignment.id, fmt::join(assignment.files, ", ")));
+  for (const std::string& name : assignment.files) {
+    if (has(result.used, name)) continue;
+    writeFile(into / name, readFile(assignment.folder / name));
+    result.missing.push_back(name);
+  }
+  return result;
+}
+
+} // namespace ggrade::grading

@@ -1,0 +1,24 @@
+#pragma once
+/// \file
+/// Takes from an upload only what a student may edit, onto a clean tree.
+
+#include "assignment/assignment.hpp"
+
+namespace ggrade::grading {
+
+inline constexpr std::uintmax_t kLargestSource = 1 << 20; ///< bytes of one uploaded file
+
+struct Overlay {
+  std::vector<std::string> used; ///< files taken from the upload
+  std::vector<std::string>
+      missing; ///< editable files that the upload lacks; the handed-out ones stand in
+  std::vector<std::string> unused; ///< what else the upload holds, each with the reason
+};
+
+/// Copies the clean files of `cleanFolder` (the handed-out ones) and the assignment's JSON files to
+/// `into`, then the editable and optional files of `upload` over them. Only regular files are
+/// taken, no links. Throws UsageError when `upload` is missing or holds no file of the assignment.
+Overlay overlay(const Assignment& assignment, const std::filesystem::path& upload,
+                const std::filesystem::path& into);
+
+} // namespace ggrade::grading

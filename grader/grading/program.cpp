@@ -1,0 +1,256 @@
+#include "grading/program.hpp"
+
+#include "grading/toolchain.hpp"
+#include "grading/workspace.hpp"
+#include "report/text.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+extern char** environ;
+
+namespace ggrade::grading {
+
+namespace fs = std::filesystem;
+using report::Outcome;
+using sandbox::End;
+using sandbox::Isolation;
+
+namespace {
+
+constexpr double kBuildSeconds = 30;
+constexpr double kRunSeconds = 10;
+
+/// Settings that pixels depend on, the same for every run. One llvmpipe thread a worker is the most
+/// efficient; pinned CPU features make every x86-64 machine draw the same.
+const std::vector<std::pair<std::string, std::string>> kPins = {
+    {"LP_NUM_THREADS", "1"}, {"GALLIUM_OVERRIDE_CPU_CAPS", "sse4.1"}};
+
+/// Where things are seen from within a run: the host's own paths without a sandbox.
+struct Places {
+  fs::path kit, work, capture, shaders, scene;
+
+  Places(Isolation isolation, const fs::path& folder, const fs::path& shaderFolder,
+         const fs::path& sceneFolder) {
+    const bool inside = isolation == Isolation::bwrap;
+    kit = inside ? "/kit" : toolchain::kKitFolder;
+    capture = inside ? "/capture" : toolchain::kCaptureFolder;
+    work = inside ? fs::path("/submission") : folder;
+    shaders = inside ? fs::path("/shaders") : shaderFolder;
+    scene = inside ? fs::path("/scene") : sceneFolder;
+  }
+};
+
+std::string lastLine(const std::string& text) {
+  const std::size_t end = text.find_last_not_of(" \n\r\t");
+  if (end == text.npos) return {};
+  const std::size_t start = text.rfind('\n', end);
+  return text.substr(start == text.npos ? 0 : start + 1,
+                     end - (start == text.npos ? 0 : start + 1) + 1);
+}
+
+bool hasGlErrors(const channel::Capture& capture) {
+  for (const channel::CapturedMessage& message : capture.messages)
+    if (message.kind == channel::MessageKind::glError) return true;
+  return false;
+}
+
+/// What a run that is over amounts to.
+Happened classify(const sandbox::Result& run, const channel::Capture& capture,
+                  std::size_t frameCount) {
+  Happened happened;
+  happened.seconds = run.wallSeconds;
+  happened.output = report::sanitize(run.standardOutput + run.standardError);
+  const std::string progress =
+      fmt::format("{} of {} frames came", capture.frames.size(), frameCount);
+  const auto set = [&](Outcome outcome, std::string detail) {
+    happened.outcome = outcome;
+    happened.detail = std::move(detail);
+  };
+  if (run.end == End::interrupted) throw Interrupted{};
+  if (run.end == End::setupFailed) {
+    set(Outcome::notGradable, "the sandbox could not start: " + run.detail);
+  } else if (!capture.error.empty()) {
+    set(Outcome::badOutput, "what the program handed over makes no sense: " + capture.error);
+  } else if (run.end == End::memoryLimit) {
+    set(Outcome::outOfMemory, fmt::format("{}; {}", run.detail, progress));
+  } else if (run.end == End::timeLimit) {
+    if (capture.frames.empty() && capture.contextMade)
+      set(Outcome::noFrame, fmt::format("the program ran for {:.0f} s and never reached "
+                                        "glfwSwapBuffers",
+                                        run.wallSeconds));
+    else
+      set(Outcome::timeout, fmt::format("{}; {}", run.detail, progress));
+  } else if (run.end == End::signalled) {
+    set(Outcome::crash, fmt::format("{}; {}", run.detail, progress));
+  } else if (capture.frames.size() == frameCount) {
+    set(hasGlErrors(capture) ? Outcome::glError : Outcome::graded, progress);
+  } else if (run.exitCode == 3) {
+    set(Outcome::shaderError, "a shader does not compile or link");
+  } else if (run.exitCode != 0) {
+    set(Outcome::crash, fmt::format("the program ended with code {}: {}; {}", run.exitCode,
+                                    report::sanitizeLine(lastLine(run.standardError)), progress));
+  } else {
+    set(Outcome::noFrame,
+        fmt::format("the program ended before it had swapped the buffers often enough; {}",
+                    progress));
+  }
+  return happened;
+}
+
+std::vector<channel::PlannedFrame> plan(const std::vector<double>& times, std::uint32_t width,
+                                        std::uint32_t height) {
+  std::vector<channel::PlannedFrame> frames;
+  for (double time : times) frames.push_back({time, width, height});
+  return frames;
+}
+
+/// Runs the command and reads what it handed over.
+Rendering runCaptured(const sandbox::Command& command, Isolation isolation,
+                      const channel::Channel& channel, std::size_t frameCount) {
+  const sandbox::Result run = sandbox::run(command, isolation, &interrupted);
+  channel::Capture capture = channel.read();
+  Happened happened = classify(run, capture, frameCount);
+  return {std::move(happened), std::move(capture)};
+}
+
+} // namespace
+
+Happened buildProgram(const std::string& id, const fs::path& folder, Isolation isolation) {
+  const Places at(isolation, folder, {}, {});
+  sandbox::Command command;
+  const std::string scratch =
+      isolation == Isolation::bwrap ? "/scratch/" + id : (folder / id).string();
+  command.arguments = {toolchain::kCompiler,
+                       "-std=c++20",
+                       "-O1",
+                       "-Wall",
+                       "-Wextra",
+                       "-pipe",
+                       "-fuse-ld=mold",
+                       "-include",
+                       (at.kit / "gg_pch.hpp").string(),
+                       "-I",
+                       (at.kit / "include").string(),
+                       id + ".cpp",
+                       "-o",
+                       scratch,
+                       "-L",
+                       (at.kit / "lib").string()};
+  for (const char* library :
+       {"gg", "gg_core", "gg_scene", "gg_glad", "glfw", "tinyobjloader", "png16", "fmt"})
+    command.arguments.push_back(std::string("-l") + library);
+  command.environment = {
+      {"PATH", "/usr/bin:/bin"},
+      {"LC_ALL", "C.UTF-8"},
+      {"TMPDIR", isolation == Isolation::bwrap ? "/scratch" : fs::temp_directory_path().string()}};
+  if (isolation == Isolation::bwrap) {
+    command.mounts = {{toolchain::kKitFolder, "/kit"}, {folder, "/submission"}};
+    command.collect = scratch;
+    command.collectInto = folder / id;
+  }
+  command.workingDirectory = at.work;
+  command.limits.wallSeconds = command.limits.cpuSeconds = kBuildSeconds;
+  const sandbox::Result run = sandbox::run(command, isolation, &interrupted);
+
+  Happened happened;
+  happened.seconds = run.wallSeconds;
+  happened.output = report::sanitize(run.standardOutput + run.standardError);
+  if (run.end == End::interrupted) throw Interrupted{};
+  if (run.end == End::setupFailed) {
+    happened.outcome = Outcome::notGradable;
+    happened.detail = "the sandbox could not start: " + run.detail;
+  } else if (run.end == End::exited && run.exitCode == 0) {
+    happened.outcome = Outcome::graded;
+  } else {
+    happened.outcome = Outcome::buildFailed;
+    if (run.end == End::exited) {
+      const std::size_t error = happened.output.find("error:");
+      const std::size_t start =
+          error == std::string::npos ? 0 : happened.output.rfind('\n', error) + 1;
+      happened.detail =
+          "the compiler says: " + report::sanitizeLine(happened.output.substr(
+                                      start, happened.output.find('\n', start) - start));
+    } else {
+      happened.detail = "the compiler was stopped: " + run.detail;
+    }
+  }
+  return happened;
+}
+
+Rendering renderScene(const std::string& id, const fs::path& folder, const nlohmann::json& scene,
+                      const std::vector<double>& times, const ShaderCache& shaders,
+                      Isolation isolation) {
+  TemporaryFolder sceneFolder;
+  {
+    std::ofstream out(sceneFolder.path() / "scene.json");
+    if (!(out << scene.dump(2) << '\n') || !out.flush())
+      throw UsageError(
+          fmt::format("can't write to {}: is the disk full?", sceneFolder.path().string()));
+  }
+  const Places at(isolation, folder, shaders.folder, sceneFolder.path());
+  const auto size = scene.at("size").get<std::vector<std::uint32_t>>();
+  channel::Channel channel(plan(times, size.at(0), size.at(1)));
+
+  sandbox::Command command;
+  command.arguments = {(at.work / id).string(), "--scene", (at.scene / "scene.json").string()};
+  command.environment = kPins;
+  command.environment.emplace_back("LD_LIBRARY_PATH", at.capture.string());
+  command.environment.emplace_back("LC_ALL", "C.UTF-8");
+  command.environment.emplace_back(channel::kDescriptorVariable,
+                                   std::to_string(channel.descriptor()));
+  if (shaders.folder.empty())
+    command.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
+  else
+    command.environment.emplace_back("MESA_SHADER_CACHE_DIR", at.shaders.string());
+  if (isolation == Isolation::bwrap) {
+    command.mounts = {{folder, "/submission"},
+                      {toolchain::kCaptureFolder, "/capture"},
+                      {sceneFolder.path(), "/scene"}};
+    if (!shaders.folder.empty()) command.privateCopies = {{shaders.folder, "/shaders"}};
+  }
+  command.workingDirectory =
+      isolation == Isolation::bwrap ? fs::path("/scratch") : sceneFolder.path();
+  command.inheritedDescriptor = channel.descriptor();
+  command.limits.wallSeconds = command.limits.cpuSeconds = kRunSeconds;
+
+  return runCaptured(command, isolation, channel, times.size());
+}
+
+Rendering renderProgram(const std::vector<std::string>& arguments, const std::vector<double>& times,
+                        std::uint32_t width, std::uint32_t height) {
+  channel::Channel channel(plan(times, width, height));
+  sandbox::Command command;
+  command.arguments = arguments;
+  for (char** variable = environ; *variable; ++variable) {
+    const std::string text = *variable;
+    const std::size_t equals = text.find('=');
+    const std::string name = text.substr(0, equals);
+    if (name == "LD_LIBRARY_PATH" || name == channel::kDescriptorVariable) continue;
+    command.environment.emplace_back(name, text.substr(equals + 1));
+  }
+  const char* before = std::getenv("LD_LIBRARY_PATH");
+  command.environment.emplace_back("LD_LIBRARY_PATH",
+                                   std::string(toolchain::kCaptureFolder) +
+                                       (before ? std::string(":") + before : ""));
+  command.environment.insert(command.environment.end(), kPins.begin(), kPins.end());
+  command.environment.emplace_back(channel::kDescriptorVariable,
+                                   std::to_string(channel.descriptor()));
+  command.workingDirectory = fs::current_path();
+  command.inheritedDescriptor = channel.descriptor();
+  command.limits.wallSeconds = command.limits.cpuSeconds = 60;
+
+  return runCaptured(command, Isolation::none, channel, times.size());
+}
+
+std::vector<std::pair<std::string, std::string>> fingerprint(const channel::Capture& capture) {
+  std::vector<std::pair<std::string, std::string>> all = {{"ggrade", toolchain::kVersion},
+                                                          {"compiler", toolchain::kCompilerVersion},
+                                                          {"gl_version", capture.glVersion},
+                                                          {"gl_renderer", capture.glRenderer}};
+  all.insert(all.end(), kPins.begin(), kPins.end());
+  return all;
+}
+
+} // namespace ggrade::grading

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// Builds a folder of student files into a program, and renders scenes with it, both in the
+/// sandbox.
+
+#include "assignment/assignment.hpp"
+#include "capture/channel_reader.hpp"
+#include "sandbox/sandbox.hpp"
+
+namespace ggrade::grading {
+
+/// What happened when a submission was built or run, in the contract's terms.
+struct Happened {
+  report::Outcome outcome = report::Outcome::notGradable;
+  std::string detail; ///< one sentence with the evidence
+  std::string output; ///< what the program or compiler wrote, valid UTF-8
+  double seconds = 0;
+
+  bool ok() const {
+    return outcome == report::Outcome::graded || outcome == report::Outcome::glError;
+  }
+};
+
+/// Compiles `folder`/`id`.cpp to `folder`/`id` with the kit's headers and library. The outcome is
+/// `graded`, `buildFailed` or `notGradable`.
+Happened buildProgram(const std::string& id, const std::filesystem::path& folder,
+                      sandbox::Isolation isolation);
+
+/// One run of a program in one scene.
+struct Rendering {
+  Happened happened;
+  channel::Capture capture; ///< what came, also when the run failed later
+};
+
+/// Where a run's shader cache comes from: a copy of `folder`, or none at all.
+struct ShaderCache {
+  std::filesystem::path folder;
+};
+
+/// Runs `folder`/`id` in `scene` for the given times.
+Rendering renderScene(const std::string& id, const std::filesystem::path& folder,
+                      const nlohmann::json& scene, const std::vector<double>& times,
+                      const ShaderCache& shaders, sandbox::Isolation isolation);
+
+/// Runs any GLFW program, trusted (not in the sandbox), with the caller's environment. A size of 0
+/// leaves the window as the program asks.
+Rendering renderProgram(const std::vector<std::string>& arguments, const std::vector<double>& times,
+                        std::uint32_t width, std::uint32_t height);
+
+/// What can change a pixel without the submission changing: renderer, compiler, pinned settings.
+std::vector<std::pair<std::string, std::string>> fingerprint(const channel::Capture& capture);
+
+} // namespace ggrade::grading

@@ -1,0 +1,174 @@
+#include "grading/references.hpp"
+
+#include "grading/overlay.hpp"
+#include "grading/toolchain.hpp"
+#include "grading/workspace.hpp"
+
+#include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+#include <mutex>
+#include <thread>
+
+namespace ggrade::grading {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using report::Outcome;
+using sandbox::Isolation;
+
+namespace {
+
+std::string hashOf(const std::string& text) {
+  const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
+  return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
+}
+
+/// A hash of every file in `folder`, not of folders in it.
+std::string hashOfFiles(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::string all;
+  for (const fs::path& file : files)
+    all += file.filename().string() + ' ' + hashOf(readFile(file)) + '\n';
+  return hashOf(all);
+}
+
+fs::path cacheFolder() {
+  const char* named = std::getenv("GGRADE_CACHE");
+  return named && *named ? fs::path(named) : fs::path(toolchain::kBuildFolder) / "cache";
+}
+
+/// One of our own programs: the reference or the stub.
+struct Own {
+  std::string what; ///< for messages
+  fs::path sources;
+  std::string key;
+  fs::path folder; ///< where it is built
+};
+
+void requireGood(const Happened& happened, const std::string& what) {
+  if (!happened.ok())
+    throw UsageError(fmt::format("{} can't be rendered ({}): {}\n{}", what,
+                                 report::name(happened.outcome), happened.detail, happened.output));
+}
+
+/// Builds into the cache unless it is there.
+void build(const Assignment& assignment, Own& own) {
+  own.folder = cacheFolder() / "programs" / own.key;
+  if (fs::exists(own.folder / assignment.id)) return;
+  TemporaryFolder work(cacheFolder() / "programs");
+  overlay(assignment, own.sources, work.path());
+  requireGood(buildProgram(assignment.id, work.path(), Isolation::bwrap), own.what);
+  std::error_code raced; // somebody else may have built the same meanwhile
+  fs::rename(work.path(), own.folder, raced);
+}
+
+} // namespace
+
+void inParallel(std::size_t count, unsigned workers, const std::function<void(std::size_t)>& task) {
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr first;
+  std::mutex mutex;
+  const auto work = [&] {
+    for (std::size_t i; (i = next++) < count;) {
+      try {
+        task(i);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!first) first = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (unsigned i = 1; i < std::min<std::size_t>(workers, count); ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  if (first) std::rethrow_exception(first);
+}
+
+std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture) {
+  std::vector<rubric::RawFrame> frames;
+  for (const channel::CapturedFrame& frame : capture.frames)
+    if (frame.written) frames.push_back({frame.time, frame.width, frame.height, frame.pixels});
+  return frames;
+}
+
+References prepareReferences(const Target& target, const fs::path& solutionFolder,
+                             const ScenePlan& plan, const Progress& progress) {
+  const Assignment& assignment = target.assignment;
+  const std::string tool =
+      hashOf(toolchain::kVersion + hashOfFiles(fs::path(toolchain::kKitFolder) / "lib") +
+             hashOfFiles(toolchain::kCaptureFolder) + toolchain::kCompilerVersion);
+  Own reference{"the reference " + solutionFolder.string(), solutionFolder, {}, {}};
+  Own stub{"the stub " + assignment.folder.string(), assignment.folder, {}, {}};
+  for (Own* own : {&reference, &stub})
+    own->key =
+        hashOf(tool + assignment.id + hashOfFiles(own->sources) + hashOfFiles(assignment.folder));
+
+  struct Job {
+    const Own* own;
+    const json* scene;
+    const std::vector<double>* times;
+    fs::path folder;
+  };
+  std::vector<Job> jobs;
+  References all;
+  for (const SceneCase& scene : plan.scenes) {
+    const auto add = [&](const Own& own, const json& content) {
+      const fs::path folder =
+          cacheFolder() / "frames" / hashOf(own.key + content.dump() + json(scene.times).dump());
+      if (!fs::exists(folder / "frames.json"))
+        jobs.push_back({&own, &content, &scene.times, folder});
+      return folder;
+    };
+    rubric::SceneFolders folders{scene.name,
+                                 scene.isPublic,
+                                 scene.tags,
+                                 scene.scene,
+                                 scene.times.size(),
+                                 {},
+                                 add(reference, scene.scene),
+                                 add(stub, scene.scene),
+                                 {}};
+    for (const auto& [name, probe] : scene.probes) folders.probes[name] = add(reference, probe);
+    all.scenes.push_back(std::move(folders));
+  }
+
+  all.shaders.folder = cacheFolder() / "shaders" / reference.key;
+  if (jobs.empty() && fs::exists(all.shaders.folder)) return all;
+  progress("building the reference and the stub", 0, jobs.size() + 1);
+  build(assignment, reference);
+  build(assignment, stub);
+  if (!fs::exists(all.shaders.folder)) {
+    // Only a run that can write to the host's folder warms the cache: trusted, outside the sandbox.
+    TemporaryFolder warm(cacheFolder() / "shaders");
+    for (const SceneCase& scene : plan.scenes)
+      requireGood(renderScene(assignment.id, reference.folder, scene.scene, {0}, {warm.path()},
+                              Isolation::none)
+                      .happened,
+                  reference.what);
+    std::error_code raced;
+    fs::rename(warm.path(), all.shaders.folder, raced);
+  }
+  std::atomic<std::size_t> done{1};
+  inParallel(jobs.size(), std::max(1u, std::thread::hardware_concurrency()), [&](std::size_t i) {
+    const Job& job = jobs[i];
+    const Rendering rendering = renderScene(assignment.id, job.own->folder, *job.scene, *job.times,
+                                            all.shaders, Isolation::bwrap);
+    requireGood(rendering.happened, job.own->what);
+    TemporaryFolder work(cacheFolder() / "frames");
+    rubric::writeFrames(work.path(), rawFrames(rendering.capture));
+    std::error_code raced;
+    fs::rename(work.path(), job.folder, raced);
+    progress("rendering the reference", ++done, jobs.size() + 1);
+  });
+  return all;
+}
+
+} // namespace ggrade::grading

@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// The reference's, stub's and probes' pictures, rendered once and kept.
+
+#include "grading/program.hpp"
+#include "grading/scenes.hpp"
+#include "rubric/evidence.hpp"
+
+#include <functional>
+
+namespace ggrade::grading {
+
+/// Called with what is being done and how far it is, for people.
+using Progress = std::function<void(const std::string& what, std::size_t done, std::size_t total)>;
+
+struct References {
+  std::vector<rubric::SceneFolders> scenes; ///< all but the students' folders is filled in
+  ShaderCache shaders;                      ///< warmed by the reference
+};
+
+/// Makes sure that everything of `plan` is rendered, in the sandbox like a submission, and says
+/// where it stands. What was rendered before by the same tool, assignment, seed and renderer is
+/// taken from the cache
+/// (`GGRADE_CACHE`, else the build folder). Throws UsageError where our own programs fail.
+References prepareReferences(const Target& target, const std::filesystem::path& solutionFolder,
+                             const ScenePlan& plan, const Progress& progress);
+
+/// The captured frames in the form that is kept in files.
+std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture);
+
+/// Runs task(0) ... task(count - 1) on `workers` threads. The first exception is thrown on when all
+/// have ended.
+void inParallel(std::size_t count, unsigned workers, const std::function<void(std::size_t)>& task);
+
+} // namespace ggrade::grading

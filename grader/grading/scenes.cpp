@@ -1,0 +1,130 @@
+#include "grading/scenes.hpp"
+
+#include <fmt/format.h>
+#include <gg/error.hpp>
+#include <gg/scene.hpp>
+
+#include <cmath>
+#include <random>
+
+namespace ggrade::grading {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// Draws values. std::uniform_real_distribution differs between libraries; this doesn't.
+class Drawer {
+public:
+  explicit Drawer(std::uint64_t seed) : engine_(seed) {}
+
+  json draw(const json& from) {
+    if (from.is_object() && from.size() == 1 && from.contains("between"))
+      return between(from["between"].at(0), from["between"].at(1));
+    if (from.is_object() && from.size() == 1 && from.contains("choose")) {
+      const json& all = from["choose"];
+      if (!all.is_array() || all.empty()) throw UsageError("choose: needs a list with values");
+      return all[std::min<std::size_t>(std::size_t(unit() * double(all.size())), all.size() - 1)];
+    }
+    if (!from.is_structured()) return from;
+    json to = from;
+    for (json& value : to) value = draw(value);
+    return to;
+  }
+
+private:
+  double unit() { return double(engine_() >> 11) * 0x1p-53; }
+
+  json between(const json& low, const json& high) {
+    if (low.is_number_integer() && high.is_number_integer()) {
+      const auto first = low.get<std::int64_t>(), last = high.get<std::int64_t>();
+      return first + std::int64_t(std::floor(unit() * double(last - first + 1)));
+    }
+    if (low.is_number() && high.is_number()) {
+      const double value = low.get<double>() + unit() * (high.get<double>() - low.get<double>());
+      return std::round(value * 1e4) / 1e4; // short numbers, so that a scene can be read and quoted
+    }
+    if (!low.is_array() || !high.is_array() || low.size() != high.size())
+      throw UsageError("between: needs two numbers or two lists of one length");
+    json all = json::array();
+    for (std::size_t i = 0; i < low.size(); ++i) all.push_back(between(low[i], high[i]));
+    return all;
+  }
+
+  std::mt19937_64 engine_;
+};
+
+/// The part's own scene settings, one over the other.
+json partScene(const Target& target) {
+  json scene = readJson(target.assignment.folder / "scene.json");
+  for (const Part& part : target.parts) scene.merge_patch(part.scene);
+  return scene;
+}
+
+} // namespace
+
+void checkScene(const Assignment& assignment, const json& scene, const std::string& name) {
+  try {
+    const gg::Declarations declared =
+        gg::Declarations::fromFile((assignment.folder / "assignment.json").string());
+    gg::Scene::fromText(scene.dump(2), name, declared);
+  } catch (const gg::SceneError& error) {
+    throw UsageError(error.what());
+  }
+}
+
+json handoutScene(const Assignment& assignment, const Part& part, const json& settings,
+                  std::size_t k) {
+  json scene = readJson(assignment.folder / "scene.json");
+  scene.merge_patch(part.scene);
+  scene.merge_patch(settings.value("scene", json::object()));
+  if (k > 0)
+    scene.merge_patch(
+        settings.value("steps", json::object()).value(part.todos.at(k - 1).id, json::object()));
+  return scene;
+}
+
+ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder,
+                     const std::uint64_t* seed) {
+  const fs::path path = solutionFolder / "scenes.json";
+  const json from = readJson(path);
+  try {
+    ScenePlan plan;
+    plan.seed = seed ? *seed : from.at("seed").get<std::uint64_t>();
+    const json base = partScene(target);
+    std::uint64_t index = 0;
+    for (const json& declared : from.at("scenes")) {
+      // A generator of its own for every scene: adding one leaves the others as they were.
+      Drawer drawer(plan.seed * 0x9e3779b97f4a7c15ull + ++index);
+      if (declared.contains("parts")) {
+        bool wanted = false;
+        for (const json& part : declared["parts"]) wanted |= target.covers(part);
+        if (!wanted) continue;
+      }
+      SceneCase one;
+      one.name = declared.at("name");
+      one.isPublic = declared.value("public", false);
+      one.tags = declared.value("tags", std::vector<std::string>{});
+      one.times = drawer.draw(declared.at("times")).get<std::vector<double>>();
+      one.scene = base;
+      one.scene.merge_patch(drawer.draw(declared.value("scene", json::object())));
+      for (const auto& [name, patch] : from.value("probes", json::object()).items()) {
+        json probe = one.scene;
+        probe.merge_patch(patch);
+        one.probes[name] = probe;
+      }
+      checkScene(target.assignment, one.scene, path.string() + ", " + one.name);
+      for (const auto& [name, probe] : one.probes)
+        checkScene(target.assignment, probe, path.string() + ", " + one.name + ", probe " + name);
+      plan.scenes.push_back(std::move(one));
+    }
+    return plan;
+  } catch (const json::exception& error) {
+    throw UsageError(fmt::format("{}: {}", path.string(), error.what()));
+  } catch (const UsageError& error) {
+    throw UsageError(fmt::format("{}: {}", path.string(), error.what()));
+  }
+}
+
+} // namespace ggrade::grading

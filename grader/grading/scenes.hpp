@@ -1,0 +1,45 @@
+#pragma once
+/// \file
+/// The scenes that a submission is rendered in: the public one and hidden ones drawn from a seed.
+
+#include "assignment/assignment.hpp"
+
+#include <cstdint>
+#include <map>
+
+namespace ggrade::grading {
+
+/// One scene to render, fully drawn: no random choice is left in it.
+struct SceneCase {
+  std::string name;
+  bool isPublic = false;
+  std::vector<std::string> tags; ///< what it can show; rubric items choose scenes by tag
+  std::vector<double> times;     ///< seconds, one a frame
+  nlohmann::json scene;          ///< a whole scene file
+  /// Scenes that only the reference is rendered in, to learn where things are (masks) and what a
+  /// feature changes: the scene with a patch merged over it.
+  std::map<std::string, nlohmann::json> probes;
+};
+
+struct ScenePlan {
+  std::uint64_t seed = 0;
+  std::vector<SceneCase> scenes;
+};
+
+/// Draws the plan of `target` from `solutionFolder/scenes.json` and the assignment's scene.json. In
+/// scenes.json a value `{"between": [a, b]}` is drawn evenly (numbers, or arrays component by
+/// component), `{"choose": [...]}` picks one; everything else stands as it is. The same seed gives
+/// the same plan on every machine. Throws UsageError, also for a scene outside of what
+/// assignment.json declares.
+ScenePlan drawScenes(const Target& target, const std::filesystem::path& solutionFolder,
+                     const std::uint64_t* seed);
+
+/// Throws UsageError, with `name`, unless the scene is one that assignment.json allows.
+void checkScene(const Assignment& assignment, const nlohmann::json& scene, const std::string& name);
+
+/// The scene of the handout's picture of step `k` (0: nothing done yet) of a part: the assignment's
+/// scene, the part's, `settings["scene"]`, and the one given for this step.
+nlohmann::json handoutScene(const Assignment& assignment, const Part& part,
+                            const nlohmann::json& settings, std::size_t k);
+
+} // namespace ggrade::grading

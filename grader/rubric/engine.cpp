@@ -1,0 +1,154 @@
+#include "rubric/rubric.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+
+namespace ggrade::rubric {
+
+using nlohmann::json;
+
+namespace {
+
+std::map<std::string, Judge>& judges() {
+  static std::map<std::string, Judge> all;
+  return all;
+}
+
+bool looksAt(const ItemDeclaration& item, const SceneEvidence& scene) {
+  if (item.scenes.empty()) return !scene.has("bonus");
+  return std::any_of(item.scenes.begin(), item.scenes.end(),
+                     [&](const std::string& tag) { return scene.has(tag); });
+}
+
+Verdict checked(const Judge& judge, const View& view) {
+  Verdict verdict = judge(view);
+  if (!std::isfinite(verdict.quality))
+    throw std::runtime_error("the judge's quality is not finite in scene " + view.scene.name);
+  verdict.quality = std::clamp(verdict.quality, 0.0, 1.0);
+  return verdict;
+}
+
+/// One item as a GoogleTest test.
+class ItemTest : public testing::Test {
+public:
+  ItemTest(ItemDeclaration item, const Evidence& evidence, std::map<std::string, json>& results)
+      : item_(std::move(item)), evidence_(evidence), results_(results) {}
+
+  void TestBody() override {
+    const auto judge = judges().find(item_.id);
+    ASSERT_NE(judge, judges().end()) << "rubric.cpp has no GGRADE_ITEM(\"" << item_.id << "\")";
+    const Decision decision = decide(item_, judge->second, evidence_);
+    const bool keep = item_.kind == report::ItemKind::keep;
+    // Tenths of a point: what a person can check by hand.
+    const double points =
+        std::round((keep ? decision.credit - 1 : decision.credit) * item_.points * 10) / 10;
+    json credits = json::array();
+    for (const auto& [scene, credit] : decision.credits) credits.push_back({scene, credit});
+    results_[item_.id] = {{"id", item_.id},
+                          {"earned", points},
+                          {"credit", decision.credit},
+                          {"message", decision.message},
+                          {"credits", credits}};
+    RecordProperty("earned", fmt::format("{}", points));
+    RecordProperty("points", fmt::format("{}", item_.points));
+    EXPECT_GE(points, keep ? 0 : item_.points) << decision.message;
+  }
+
+private:
+  ItemDeclaration item_;
+  const Evidence& evidence_;
+  std::map<std::string, json>& results_;
+};
+
+/// Appends the item's line as soon as it has been judged, so that a crash keeps what was earned.
+class Writer : public testing::EmptyTestEventListener {
+public:
+  Writer(std::filesystem::path path, const std::map<std::string, json>& results)
+      : path_(std::move(path)), results_(results) {}
+
+  void OnTestEnd(const testing::TestInfo& test) override {
+    const auto found = results_.find(std::string(test.test_suite_name()) + "." + test.name());
+    if (found == results_.end()) return;
+    std::ofstream(path_, std::ios::app) << found->second.dump() << std::endl;
+  }
+
+private:
+  std::filesystem::path path_;
+  const std::map<std::string, json>& results_;
+};
+
+} // namespace
+
+bool add(const std::string& item, Judge judge) {
+  return judges().emplace(item, std::move(judge)).second;
+}
+
+Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence) {
+  Decision decision;
+  decision.credit = 1;
+  bool any = false;
+  for (const SceneEvidence& scene : evidence.scenes) {
+    if (!looksAt(item, scene)) continue;
+    double credit = 0;
+    std::string message;
+    if (scene.student.size() < scene.frameCount) {
+      message = fmt::format("{} of {} frames came", scene.student.size(), scene.frameCount);
+    } else if (!sameSize(scene.student[0], scene.reference[0])) {
+      message = fmt::format("the window is {} instead of {}", scene.student[0].sizeText(),
+                            scene.reference[0].sizeText());
+    } else {
+      const Verdict verdict = checked(judge, {scene, scene.student});
+      message = verdict.message;
+      credit = verdict.quality;
+      if (item.kind != report::ItemKind::keep) {
+        const double floor = checked(judge, {scene, scene.stub}).quality;
+        // Where the stub is as good as the reference, the scene can't show the item.
+        if (floor > 0.99) continue;
+        credit = std::clamp((verdict.quality - floor) / (1 - floor), 0.0, 1.0);
+      }
+    }
+    any = true;
+    decision.credits.emplace_back(scene.name, credit);
+    if (credit < decision.credit || decision.credits.size() == 1)
+      decision.message = fmt::format("{}: {}", scene.name, message);
+    decision.credit = std::min(decision.credit, credit);
+  }
+  if (!any) throw std::runtime_error("no scene can show " + item.id);
+  return decision;
+}
+
+int runJudge(const std::filesystem::path& evidenceFile, const std::filesystem::path& resultsFile,
+             const std::vector<std::string>& arguments) {
+  const Evidence evidence = readEvidence(evidenceFile);
+  const Target target = findTarget(evidence.assignmentFolder.parent_path(), evidence.target);
+
+  std::vector<std::string> words = {"ggrade"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  int argc = int(words.size());
+  testing::InitGoogleTest(&argc, argv.data());
+  if (argc > 1) throw UsageError(fmt::format("\"{}\" is not an argument of GoogleTest", argv[1]));
+
+  std::map<std::string, json> results;
+  for (const ItemDeclaration& item : target.items()) {
+    const std::size_t dot = item.id.find('.');
+    testing::RegisterTest(
+        item.id.substr(0, dot).c_str(), item.id.substr(dot + 1).c_str(), nullptr, nullptr, __FILE__,
+        __LINE__, [&, item]() -> ItemTest* { return new ItemTest(item, evidence, results); });
+  }
+  testing::UnitTest::GetInstance()->listeners().Append(new Writer(resultsFile, results));
+  const bool passed = RUN_ALL_TESTS() == 0;
+  // Lost points are no failure of the judge; an item without a result is.
+  if (passed) return 0;
+  for (const ItemDeclaration& item : target.items())
+    if (!results.count(item.id) && testing::GTEST_FLAG(filter) == "*") return 1;
+  return 0;
+}
+
+} // namespace ggrade::rubric

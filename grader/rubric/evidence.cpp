@@ -1,0 +1,113 @@
+#include "rubric/evidence.hpp"
+
+#include "assignment/assignment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace ggrade::rubric {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+void write(const fs::path& path, const void* data, std::size_t size) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  if (!out.write(static_cast<const char*>(data), std::streamsize(size)) || !out.flush())
+    throw UsageError(fmt::format("can't write {}: is the disk full?", path.string()));
+}
+
+Frames readImages(const json& folder) {
+  Frames images;
+  for (const RawFrame& frame : readFrames(folder.get<std::string>()))
+    images.push_back(toImage(frame));
+  return images;
+}
+
+} // namespace
+
+void writeFrames(const fs::path& folder, const std::vector<RawFrame>& frames) {
+  fs::create_directories(folder);
+  json list = json::array();
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const RawFrame& frame = frames[i];
+    write(folder / fmt::format("frame-{}.rgba", i), frame.pixels.data(), frame.pixels.size());
+    list.push_back({{"time", frame.time}, {"width", frame.width}, {"height", frame.height}});
+  }
+  // Last, so that a folder with frames.json is whole.
+  const std::string text = list.dump();
+  write(folder / "frames.json", text.data(), text.size());
+}
+
+std::vector<RawFrame> readFrames(const fs::path& folder) {
+  std::vector<RawFrame> frames;
+  for (const json& one : readJson(folder / "frames.json")) {
+    RawFrame frame{one.at("time"), one.at("width"), one.at("height"), {}};
+    const fs::path path = folder / fmt::format("frame-{}.rgba", frames.size());
+    const std::string bytes = readFile(path);
+    if (bytes.size() != std::size_t(frame.width) * frame.height * 4)
+      throw UsageError(fmt::format("{}: {} bytes are not {}x{}x4", path.string(), bytes.size(),
+                                   frame.width, frame.height));
+    frame.pixels.assign(bytes.begin(), bytes.end());
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+Image toImage(const RawFrame& frame) {
+  Image image(int(frame.width), int(frame.height), 3);
+  float* to = image.values().data();
+  for (std::size_t i = 0; i < frame.pixels.size(); i += 4)
+    for (std::size_t c = 0; c < 3; ++c) *to++ = float(frame.pixels[i + c]) / 255.0f;
+  return image;
+}
+
+bool SceneEvidence::has(const std::string& tag) const {
+  return std::find(tags.begin(), tags.end(), tag) != tags.end();
+}
+
+void writeEvidence(const fs::path& file, const fs::path& assignmentFolder,
+                   const std::string& target, const std::vector<SceneFolders>& scenes) {
+  json list = json::array();
+  for (const SceneFolders& scene : scenes) {
+    json probes = json::object();
+    for (const auto& [name, folder] : scene.probes) probes[name] = folder.string();
+    list.push_back({{"name", scene.name},
+                    {"public", scene.isPublic},
+                    {"tags", scene.tags},
+                    {"scene", scene.scene},
+                    {"frames", scene.frameCount},
+                    {"student", scene.student.string()},
+                    {"reference", scene.reference.string()},
+                    {"stub", scene.stub.string()},
+                    {"probes", probes}});
+  }
+  const std::string text =
+      json{{"assignment", assignmentFolder.string()}, {"target", target}, {"scenes", list}}.dump(1);
+  write(file, text.data(), text.size());
+}
+
+Evidence readEvidence(const fs::path& file) {
+  const json from = readJson(file);
+  Evidence evidence{from.at("assignment").get<std::string>(), from.at("target"), {}};
+  for (const json& one : from.at("scenes")) {
+    SceneEvidence scene;
+    scene.name = one.at("name");
+    scene.isPublic = one.at("public");
+    scene.tags = one.at("tags").get<std::vector<std::string>>();
+    scene.scene = one.at("scene");
+    scene.frameCount = one.at("frames");
+    scene.student = readImages(one.at("student"));
+    scene.reference = readImages(one.at("reference"));
+    scene.stub = readImages(one.at("stub"));
+    for (const auto& [name, folder] : one.at("probes").items())
+      scene.probes[name] = readImages(folder);
+    evidence.scenes.push_back(std::move(scene));
+  }
+  return evidence;
+}
+
+} // namespace ggrade::rubric

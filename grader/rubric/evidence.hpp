@@ -1,0 +1,70 @@
+#pragma once
+/// \file
+/// What a rubric judges, as files: rendered frames of the submission, the reference, the stub and
+/// the probes, scene by scene. The grading process writes it, the judging process reads it.
+
+#include "image/image.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ggrade::rubric {
+
+/// One frame as bytes: width x height x 4, RGBA, top row first.
+struct RawFrame {
+  double time = 0; ///< seconds
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::uint8_t> pixels;
+};
+
+/// Writes frames to `folder` (made if missing). Throws UsageError, naming the file.
+void writeFrames(const std::filesystem::path& folder, const std::vector<RawFrame>& frames);
+/// Reads them back. Throws UsageError for a file that is missing or of another size than it says.
+std::vector<RawFrame> readFrames(const std::filesystem::path& folder);
+
+/// RGB, 0 to 1.
+Image toImage(const RawFrame& frame);
+
+using Frames = std::vector<Image>;
+
+/// One scene with everything that was rendered in it.
+struct SceneEvidence {
+  std::string name;
+  bool isPublic = false;
+  std::vector<std::string> tags;
+  nlohmann::json scene;
+  std::size_t frameCount = 0;
+  Frames student; ///< fewer than frameCount if the program didn't get that far
+  Frames reference, stub;
+  std::map<std::string, Frames> probes; ///< reference only, see scenes.json
+
+  bool has(const std::string& tag) const;
+};
+
+struct Evidence {
+  std::filesystem::path assignmentFolder; ///< holds assignment.json
+  std::string target;                     ///< "mirror" or "floor"
+  std::vector<SceneEvidence> scenes;
+};
+
+/// Where the frames of one scene stand.
+struct SceneFolders {
+  std::string name;
+  bool isPublic = false;
+  std::vector<std::string> tags;
+  nlohmann::json scene;
+  std::size_t frameCount = 0;
+  std::filesystem::path student, reference, stub;
+  std::map<std::string, std::filesystem::path> probes;
+};
+
+void writeEvidence(const std::filesystem::path& file, const std::filesystem::path& assignmentFolder,
+                   const std::string& target, const std::vector<SceneFolders>& scenes);
+Evidence readEvidence(const std::filesystem::path& file);
+
+} // namespace ggrade::rubric

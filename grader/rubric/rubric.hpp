@@ -1,0 +1,62 @@
+#pragma once
+/// \file
+/// How a rubric is written: `solutions/<id>/rubric.cpp` gives every item that assignment.json
+/// declares a function that says how right the frames of one scene are. Points, titles and texts
+/// stand in assignment.json.
+///
+/// \code
+/// GGRADE_ITEM("mirror.shading", [](const View& view) { ... return Verdict{quality, message}; })
+/// \endcode
+
+#include "assignment/assignment.hpp"
+#include "rubric/evidence.hpp"
+
+#include <functional>
+#include <string>
+
+namespace ggrade::rubric {
+
+/// What an item looks at: one scene, and the frames in question (the student's; for the scale also
+/// the stub's and the reference's).
+struct View {
+  const SceneEvidence& scene;
+  const Frames& frames;
+};
+
+/// How right the frames are: 1 is as good as the reference, 0 has nothing of it. Must be finite.
+struct Verdict {
+  double quality = 0;
+  std::string
+      message; ///< with numbers: "31% of the reflection's pixels differ, densest at (212,340)"
+};
+
+using Judge = std::function<Verdict(const View&)>;
+
+/// Registers the judge of one item; returns true so that it can stand at namespace scope.
+bool add(const std::string& item, Judge judge);
+
+/// What the engine decides about one item over all scenes.
+struct Decision {
+  double credit = 0; ///< 0 to 1; the worst scene counts
+  std::string message;
+  std::vector<std::pair<std::string, double>> credits; ///< by scene
+};
+
+/// Gain and bonus items: the student's quality on the scale from the stub's (0) to the reference's
+/// (1). Keep items: the quality itself; what is missing from 1 is taken away. A missing frame has
+/// credit 0.
+Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence);
+
+/// Runs every item of `evidence`'s target as a GoogleTest test named `part.item`, and appends one
+/// JSON object a line to `results` after each. `arguments` are GoogleTest's. Returns the exit code:
+/// 0 all items were judged, whatever the points; 1 an item has no judge or threw.
+int runJudge(const std::filesystem::path& evidence, const std::filesystem::path& results,
+             const std::vector<std::string>& arguments);
+
+} // namespace ggrade::rubric
+
+#define GGRADE_ITEM_JOIN_(a, b) a##b
+#define GGRADE_ITEM_NAME_(line) GGRADE_ITEM_JOIN_(ggradeItem, line)
+#define GGRADE_ITEM(item, ...)                                                                     \
+  [[maybe_unused]] static const bool GGRADE_ITEM_NAME_(__LINE__) =                                 \
+      ::ggrade::rubric::add(item, __VA_ARGS__)

@@ -1,0 +1,314 @@
+// The rubric of the reflecting floor, part "mirror". Titles and points stand in assignment.json.
+//
+// Where things are is learned from probes (scenes.json): the reference in scenes that show the
+// floor, the objects or their reflections alone, in flat colours. Nothing here knows how a student
+// has drawn the reflection; only what the window shows counts.
+
+#include "rubric/rubric.hpp"
+#include "image/compare.hpp"
+#include "image/mask.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace {
+
+using namespace ggrade;
+using rubric::SceneEvidence;
+using rubric::Verdict;
+using rubric::View;
+
+/// Share of wrong pixels at which an item about a region has nothing left.
+constexpr double kNothingLeft = 0.4;
+
+/// What a frame of a scene shows where.
+struct Regions {
+  Mask objects;    // seen directly
+  Mask floor;      // not hidden by objects
+  Mask reflection; // of objects, on the visible floor
+  Mask borders;    // about the edges where one thing hides another, on the visible floor
+  Mask clipped;    // where clipping at the floor makes a difference
+};
+
+/// Pixels that a probe with a black background shows something in.
+Mask shown(const Image& probe) {
+  return differenceMask(probe, Image(probe.width(), probe.height(), probe.channels()), 0.1f);
+}
+
+/// Pixels beside which the probe has another colour: an edge between flat colours.
+Mask edges(const Image& probe) {
+  Mask found(probe.width(), probe.height());
+  for (int y = 0; y + 1 < probe.height(); ++y) {
+    for (int x = 0; x + 1 < probe.width(); ++x) {
+      for (int c = 0; c < 3; ++c) {
+        const float here = probe.at(x, y, c);
+        if (std::abs(here - probe.at(x + 1, y, c)) > 0.05f ||
+            std::abs(here - probe.at(x, y + 1, c)) > 0.05f)
+          found.set(x, y);
+      }
+    }
+  }
+  return found;
+}
+
+const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
+  static std::map<std::pair<const SceneEvidence*, std::size_t>, Regions> known;
+  auto [entry, fresh] = known.try_emplace({&scene, frame});
+  Regions& regions = entry->second;
+  if (fresh) {
+    const Image& reflections = scene.probes.at("reflections").at(frame);
+    regions.objects = shown(scene.probes.at("objects").at(frame));
+    // One pixel away from the objects, so that a shifted edge of an object is not the floor's
+    // fault.
+    const Mask near = dilate(regions.objects, 1);
+    regions.floor = shown(scene.probes.at("floor").at(frame)) & ~near;
+    regions.reflection = shown(reflections) & regions.floor;
+    // Only where reflections meet: one in front of another, or an object in front of one.
+    const Mask meeting = dilate(edges(reflections), 3) & dilate(regions.reflection, 3);
+    regions.borders =
+        meeting & erode(dilate(regions.reflection, 2) | regions.objects, 2) & regions.floor;
+    regions.clipped = differenceMask(scene.reference.at(frame),
+                                     scene.probes.at("unclipped").at(frame), kTolerance) &
+                      regions.floor;
+  }
+  return regions;
+}
+
+/// The floor with the background's reflection on it but no object's: what a pixel away from
+/// reflected objects may look like.
+Image withSky(const SceneEvidence& scene, const Image& plain) {
+  Image image = plain;
+  const auto& specular = scene.scene.at("materials").at("floor").at("specular");
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        image.at(x, y, c) =
+            std::min(1.0f, image.at(x, y, c) +
+                               specular.at(std::size_t(c)).get<float>() *
+                                   scene.scene.at("background").at(std::size_t(c)).get<float>());
+  return image;
+}
+
+/// Where on the floor a frame shows reflected objects: it looks neither like the bare floor nor
+/// like the floor that reflects the background.
+Mask reflectedObjects(const SceneEvidence& scene, std::size_t frame, const Image& image) {
+  const Image& plain = scene.probes.at("plain").at(frame);
+  return differenceMask(image, plain, 2 * kTolerance) &
+         differenceMask(image, withSky(scene, plain), 2 * kTolerance) &
+         regionsOf(scene, frame).floor;
+}
+
+struct Coverage {
+  double quality = 0;
+  std::size_t missing = 0, extra = 0, all = 0;
+};
+
+/// How well the places with reflected objects agree; an edge may move by one pixel.
+Coverage coverage(const View& view, std::size_t frame) {
+  const Mask wanted = reflectedObjects(view.scene, frame, view.scene.reference.at(frame));
+  const Mask found = reflectedObjects(view.scene, frame, view.frames.at(frame));
+  Coverage result;
+  result.missing = (wanted & ~dilate(found, 1)).count();
+  result.extra = (found & ~dilate(wanted, 1)).count();
+  result.all = std::max<std::size_t>(wanted.count(), 1);
+  result.quality =
+      std::max(0.0, 1 - double(result.missing + result.extra) / double(result.all) / kNothingLeft);
+  return result;
+}
+
+/// The tolerant comparison with the reference inside `region`, as a verdict.
+Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what) {
+  CompareOptions options;
+  options.mask = &region;
+  if (region.count() == 0) return {1, what + ": nothing to see in this scene"};
+  const Comparison comparison =
+      compare(view.frames.at(frame), view.scene.reference.at(frame), options);
+  const double quality = std::max(0.0, 1 - comparison.wrongShare / kNothingLeft);
+  return {quality, fmt::format("{}: {:.1f}% of {} pixels differ, densest at ({},{})", what,
+                               100 * comparison.wrongShare, comparison.judgedPixels,
+                               comparison.densest.x + comparison.densest.width / 2,
+                               comparison.densest.y + comparison.densest.height / 2)};
+}
+
+/// The worst of the frames.
+template <class Judge> Verdict worstFrame(const View& view, Judge judge) {
+  Verdict worst{2, ""};
+  for (std::size_t i = 0; i < view.frames.size(); ++i) {
+    const Verdict one = judge(i);
+    if (one.quality < worst.quality) worst = one;
+  }
+  return worst;
+}
+
+GGRADE_ITEM("mirror.where", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Coverage cover = coverage(view, i);
+    return {cover.quality,
+            fmt::format("reflected objects cover {} pixels: {:.1f}% of them lack the reflection, "
+                        "{:.1f}% as many again have one that must not be there",
+                        cover.all, 100.0 * double(cover.missing) / double(cover.all),
+                        100.0 * double(cover.extra) / double(cover.all))};
+  });
+});
+
+GGRADE_ITEM("mirror.shading", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) {
+    return within(view, i, erode(regionsOf(view.scene, i).reflection, 1), "reflection's colours");
+  });
+});
+
+/// Normalised correlation of two frames' added light on the floor, the second moved by (dx, dy).
+double correlation(const Image& a, const Image& b, const Image& plain, const Mask& floor, int dx,
+                   int dy) {
+  double n = 0, sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    const int fy = y + dy;
+    if (fy < 0 || fy >= a.height()) continue;
+    for (int x = 0; x < a.width(); ++x) {
+      const int fx = x + dx;
+      if (fx < 0 || fx >= a.width() || !floor.at(x, y) || !floor.at(fx, fy)) continue;
+      double va = 0, vb = 0;
+      for (int c = 0; c < 3; ++c) {
+        va += a.at(x, y, c) - plain.at(x, y, c);
+        vb += b.at(fx, fy, c) - plain.at(fx, fy, c);
+      }
+      n += 1, sa += va, sb += vb, saa += va * va, sbb += vb * vb, sab += va * vb;
+    }
+  }
+  if (n == 0) return 0;
+  const double varianceA = saa - sa * sa / n, varianceB = sbb - sb * sb / n;
+  // Light that is the same everywhere has no place.
+  if (varianceA < 1e-4 * n || varianceB < 1e-4 * n) return 0;
+  return (sab - sa * sb / n) / std::sqrt(varianceA * varianceB);
+}
+
+GGRADE_ITEM("mirror.position", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Image& plain = view.scene.probes.at("plain").at(i);
+    const Image& reference = view.scene.reference.at(i);
+    const Mask& floor = regionsOf(view.scene, i).floor;
+    const double here = correlation(reference, view.frames.at(i), plain, floor, 0, 0);
+    const double quality = std::clamp((here - 0.5) / 0.45, 0.0, 1.0);
+    if (quality == 1)
+      return {1, fmt::format("the added light agrees in place (correlation {:.2f})", here)};
+    double best = here;
+    int bx = 0, by = 0;
+    for (int dy = -24; dy <= 24; dy += 4) {
+      for (int dx = -24; dx <= 24; dx += 4) {
+        const double moved = correlation(reference, view.frames.at(i), plain, floor, dx, dy);
+        if (moved > best + 0.02) best = moved, bx = dx, by = dy;
+      }
+    }
+    std::string message =
+        fmt::format("the added light agrees badly in place (correlation {:.2f} of 1)", here);
+    if (best > 0.6 && (bx || by))
+      message += fmt::format("; moved by about ({},{}) pixels it would agree better ({:.2f})", -bx,
+                             by, best);
+    return {quality, message};
+  });
+});
+
+GGRADE_ITEM("mirror.hidden", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) {
+    Verdict verdict =
+        within(view, i, regionsOf(view.scene, i).borders, "where one thing hides another");
+    // Nothing is hidden rightly by a reflection that isn't there.
+    verdict.quality *= coverage(view, i).quality;
+    return verdict;
+  });
+});
+
+GGRADE_ITEM("mirror.clip", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) {
+    Verdict verdict =
+        within(view, i, regionsOf(view.scene, i).clipped, "where a sunken object must be cut off");
+    verdict.quality *= coverage(view, i).quality;
+    return verdict;
+  });
+});
+
+/// Share of the pixels away from the reflection that look neither like the reference nor like the
+/// scene without any reflection.
+double spoiled(const View& view, std::size_t frame, std::string& where) {
+  const Regions& regions = regionsOf(view.scene, frame);
+  const Mask region = ~dilate(regions.reflection | regions.clipped, 2);
+  CompareOptions options;
+  options.mask = &region;
+  const Comparison full = compare(view.frames.at(frame), view.scene.reference.at(frame), options);
+  const Comparison bare =
+      compare(view.frames.at(frame), view.scene.probes.at("plain").at(frame), options);
+  const Mask wrong = full.compared() && bare.compared() ? full.wrong & bare.wrong : region;
+  const Window densest = densestWindow(wrong);
+  const double share = double(wrong.count()) / double(std::max<std::size_t>(region.count(), 1));
+  where = fmt::format("{:.1f}% of the pixels away from the reflection differ, densest at ({},{})",
+                      100 * share, densest.x + densest.width / 2, densest.y + densest.height / 2);
+  return share;
+}
+
+GGRADE_ITEM("mirror.keep_picture", [](const View& view) -> Verdict {
+  std::string where;
+  const double share = spoiled(view, 0, where);
+  return {1 - std::clamp((share - 0.005) / 0.25, 0.0, 1.0), where};
+});
+
+GGRADE_ITEM("mirror.keep_state", [](const View& view) -> Verdict {
+  std::string where, later;
+  const double first = spoiled(view, 0, where);
+  double worst = 0;
+  for (std::size_t i = 1; i < view.frames.size(); ++i) {
+    const double share = spoiled(view, i, where);
+    if (share - first > worst)
+      worst = share - first, later = fmt::format("frame {}: {}", i + 1, where);
+  }
+  if (worst < 0.005) return {1, "later frames are as right as the first"};
+  return {1 - std::clamp((worst - 0.005) / 0.1, 0.0, 1.0), later + ", the first frame did not"};
+});
+
+/// Mean over a square of 7 x 7 pixels of what was added to the floor: noise goes, blur stays.
+Image smoothed(const Image& image, const Image& plain, const Mask& floor) {
+  constexpr int kReach = 3;
+  Image out(image.width(), image.height(), 3);
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      if (!floor.at(x, y)) continue;
+      float sum[3] = {}, n = 0;
+      for (int v = std::max(0, y - kReach); v <= std::min(image.height() - 1, y + kReach); ++v) {
+        for (int u = std::max(0, x - kReach); u <= std::min(image.width() - 1, x + kReach); ++u) {
+          if (!floor.at(u, v)) continue;
+          ++n;
+          for (int c = 0; c < 3; ++c) sum[c] += image.at(u, v, c) - plain.at(u, v, c);
+        }
+      }
+      for (int c = 0; c < 3; ++c) out.at(x, y, c) = sum[c] / n;
+    }
+  }
+  return out;
+}
+
+double rms(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.values().size(); ++i) {
+    const double d = double(a.values()[i]) - double(b.values()[i]);
+    sum += d * d;
+  }
+  return std::sqrt(sum / double(a.values().size()));
+}
+
+GGRADE_ITEM("mirror.blur", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Image& plain = view.scene.probes.at("plain").at(i);
+    const Mask& floor = regionsOf(view.scene, i).floor;
+    const Image wanted = smoothed(view.scene.reference.at(i), plain, floor);
+    const double sharp = rms(smoothed(view.scene.probes.at("sharp").at(i), plain, floor), wanted);
+    const double found = rms(smoothed(view.frames.at(i), plain, floor), wanted);
+    const double quality = std::clamp((1 - found / sharp) / 0.8, 0.0, 1.0);
+    return {quality,
+            fmt::format("the blurred reflection is off by {:.4f} (RMS); a sharp one is by {:.4f}",
+                        found, sharp)};
+  });
+});
+
+} // namespace
