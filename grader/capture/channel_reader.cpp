@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fcntl.h>
 #include <memory>
 #include <stdexcept>
@@ -38,8 +39,10 @@ void readAll(int descriptor, void* to, std::uint64_t bytes, std::uint64_t offset
   }
 }
 
-void writeAll(int descriptor, const void* from, std::size_t bytes) {
-  if (pwrite(descriptor, from, bytes, 0) != static_cast<ssize_t>(bytes)) {
+void writePlan(int descriptor, const Plan& plan) {
+  std::vector<char> bytes(sizeof(Plan));
+  std::memcpy(bytes.data(), &plan, sizeof(Plan));
+  if (pwrite(descriptor, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
     throwSystem("cannot write the capture plan");
   }
 }
@@ -192,7 +195,7 @@ Channel::Channel(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixel
     if (ftruncate(descriptor_, static_cast<off_t>(totalBytes(plan_))) != 0) {
       throwSystem("cannot size the capture channel");
     }
-    writeAll(descriptor_, &plan_, sizeof(plan_));
+    writePlan(descriptor_, plan_);
     // A child that shrinks the file would kill whoever has it mapped; one that grows it would take
     // memory for itself.
     if (fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {

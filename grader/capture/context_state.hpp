@@ -53,6 +53,10 @@ void setCurrentState(ContextState* state);
 /// Turns on debug output for a context that has just become current for the first time.
 void installDebugCallback(ContextState& state);
 
+/// The program's view of debug output for glGetIntegerv. False, and `value` untouched, for all
+/// other names.
+bool debugInteger(const DebugState& debug, GLenum name, GLint& value);
+
 /// Collects an error that no debug message told of, and keeps it for the program. The context must
 /// be current.
 void collectError(ContextState& state);

@@ -11,7 +11,8 @@ using Table = std::unordered_map<std::string_view, GlFunction>;
 Table makeTable() {
   Table table;
   for (const std::span<const Hook> hooks :
-       {glxHooks(), debugHooks(), errorHooks(), shaderTimeHooks(), windowUseHooks()}) {
+       {glxHooks(), debugHooks(), errorHooks(), queryHooks(), windowBufferHooks(),
+        shaderTimeHooks(), windowUseHooks()}) {
     for (const Hook& hook : hooks) {
       const auto earlier = table.find(hook.name);
       if (hook.setNext) {

@@ -9,8 +9,9 @@
 /// void APIENTRY hookFinish() { ++finishes; nextFinish(); }
 /// const Hook kHooks[] = {GG_HOOK(glFinish, hookFinish, nextFinish)};
 /// \endcode
-/// Several files may hook one name: a later file's hook is called first, and its `next` is the
-/// earlier file's hook. The order of files stands in gl_hooks.cpp.
+/// `next` is set before the hook can be called, and not before: the library's own code calls
+/// `real`. Several files may hook one name: a later file's hook is called first, and its `next` is
+/// the earlier file's hook. The order of files stands in gl_hooks.cpp.
 
 #include "capture/gl_forward.hpp"
 
@@ -37,7 +38,9 @@ GlFunction hookedGlFunction(const char* name);
 std::span<const Hook> debugHooks();
 std::span<const Hook> errorHooks();
 std::span<const Hook> glxHooks();
+std::span<const Hook> queryHooks();
 std::span<const Hook> shaderTimeHooks();
+std::span<const Hook> windowBufferHooks();
 std::span<const Hook> windowUseHooks();
 
 } // namespace ggrade::capture

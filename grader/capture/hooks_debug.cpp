@@ -81,71 +81,6 @@ GLboolean APIENTRY hookIsEnabled(GLenum name) {
   return kept ? *kept : nextIsEnabled(name);
 }
 
-/// Integers that GL would answer otherwise than the program expects of its window. False for all
-/// others.
-bool ownInteger(GLenum name, GLint& value) {
-  if (!current) return false;
-  const DebugState& debug = current->debug;
-  switch (name) {
-  case GL_DEBUG_OUTPUT:
-    value = debug.output;
-    return true;
-  case GL_DEBUG_OUTPUT_SYNCHRONOUS:
-    value = debug.synchronous;
-    return true;
-  case GL_DEBUG_LOGGED_MESSAGES:
-    value = static_cast<GLint>(debug.log.size());
-    return true;
-  case GL_DEBUG_NEXT_LOGGED_MESSAGE_LENGTH:
-    value = debug.log.empty() ? 0 : static_cast<GLint>(debug.log.front().text.size() + 1);
-    return true;
-  case GL_DOUBLEBUFFER:
-    value = 1;
-    return true;
-  case GL_CONTEXT_FLAGS: {
-    static const auto getIntegerv = real<decltype(&glGetIntegerv)>("glGetIntegerv");
-    getIntegerv(name, &value);
-    if (debug.debugContext) value |= GL_CONTEXT_FLAG_DEBUG_BIT;
-    return true;
-  }
-  default:
-    return false;
-  }
-}
-
-template <typename Value> using Getter = void(APIENTRY*)(GLenum, Value*);
-
-template <typename Value> void get(GLenum name, Value* values, Getter<Value> next) {
-  GLint value = 0;
-  if (values && ownInteger(name, value)) {
-    *values = static_cast<Value>(value);
-  } else {
-    next(name, values);
-  }
-}
-
-Getter<GLint> nextGetIntegerv;
-void APIENTRY hookGetIntegerv(GLenum name, GLint* values) {
-  get(name, values, nextGetIntegerv);
-}
-Getter<GLboolean> nextGetBooleanv;
-void APIENTRY hookGetBooleanv(GLenum name, GLboolean* values) {
-  get(name, values, nextGetBooleanv);
-  if (name == GL_CONTEXT_FLAGS && values) *values = *values ? GL_TRUE : GL_FALSE;
-}
-Getter<GLfloat> nextGetFloatv;
-void APIENTRY hookGetFloatv(GLenum name, GLfloat* values) {
-  get(name, values, nextGetFloatv);
-}
-Getter<GLdouble> nextGetDoublev;
-void APIENTRY hookGetDoublev(GLenum name, GLdouble* values) {
-  get(name, values, nextGetDoublev);
-}
-Getter<GLint64> nextGetInteger64v;
-void APIENTRY hookGetInteger64v(GLenum name, GLint64* values) {
-  get(name, values, nextGetInteger64v);
-}
-
 decltype(&glGetPointerv) nextGetPointerv;
 void APIENTRY hookGetPointerv(GLenum name, void** value) {
   if (current && value && name == GL_DEBUG_CALLBACK_FUNCTION) {
@@ -189,11 +124,6 @@ const Hook kHooks[] = {
     GG_HOOK(glEnable, hookEnable, nextEnable),
     GG_HOOK(glDisable, hookDisable, nextDisable),
     GG_HOOK(glIsEnabled, hookIsEnabled, nextIsEnabled),
-    GG_HOOK(glGetIntegerv, hookGetIntegerv, nextGetIntegerv),
-    GG_HOOK(glGetBooleanv, hookGetBooleanv, nextGetBooleanv),
-    GG_HOOK(glGetFloatv, hookGetFloatv, nextGetFloatv),
-    GG_HOOK(glGetDoublev, hookGetDoublev, nextGetDoublev),
-    GG_HOOK(glGetInteger64v, hookGetInteger64v, nextGetInteger64v),
     GG_HOOK(glGetPointerv, hookGetPointerv, nextGetPointerv),
     {"glGetDebugMessageLog", reinterpret_cast<GlFunction>(hookGetLog), nullptr},
     {"glGetDebugMessageLogARB", reinterpret_cast<GlFunction>(hookGetLog), nullptr},
@@ -203,6 +133,25 @@ const Hook kHooks[] = {
 
 std::span<const Hook> debugHooks() {
   return kHooks;
+}
+
+bool debugInteger(const DebugState& debug, GLenum name, GLint& value) {
+  switch (name) {
+  case GL_DEBUG_OUTPUT:
+    value = debug.output;
+    return true;
+  case GL_DEBUG_OUTPUT_SYNCHRONOUS:
+    value = debug.synchronous;
+    return true;
+  case GL_DEBUG_LOGGED_MESSAGES:
+    value = static_cast<GLint>(debug.log.size());
+    return true;
+  case GL_DEBUG_NEXT_LOGGED_MESSAGE_LENGTH:
+    value = debug.log.empty() ? 0 : static_cast<GLint>(debug.log.front().text.size() + 1);
+    return true;
+  default:
+    return false;
+  }
 }
 
 ContextState* currentState() {

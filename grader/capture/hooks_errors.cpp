@@ -32,11 +32,14 @@ const char* errorName(GLenum error) {
   }
 }
 
-decltype(&glGetError) nextGetError;
+GLenum realError() {
+  static const auto getError = real<decltype(&glGetError)>("glGetError");
+  return getError();
+}
 
 /// GL's flag, cleared. An error without a debug message is reported here.
 GLenum takeError(ContextState& state) {
-  const GLenum error = nextGetError();
+  const GLenum error = realError();
   if (error != GL_NO_ERROR && !state.errors.named) {
     writeMessage(channel::MessageKind::glError,
                  std::string(errorName(error)) +
@@ -48,14 +51,14 @@ GLenum takeError(ContextState& state) {
 
 GLenum APIENTRY hookGetError() {
   ContextState* const state = currentState();
-  if (!state) return nextGetError();
+  if (!state) return realError();
   const GLenum error = takeError(*state);
   const GLenum kept = state->errors.kept;
   state->errors.kept = GL_NO_ERROR;
   return kept != GL_NO_ERROR ? kept : error; // one flag: the first error stays until it is read
 }
 
-const Hook kHooks[] = {GG_HOOK(glGetError, hookGetError, nextGetError)};
+const Hook kHooks[] = {{"glGetError", reinterpret_cast<GlFunction>(hookGetError), nullptr}};
 
 } // namespace
 

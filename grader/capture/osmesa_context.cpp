@@ -97,18 +97,8 @@ bool OsmesaContext::attach(int width, int height) {
 }
 
 bool OsmesaContext::makeCurrent(int width, int height) {
-  const bool first = width_ == 0;
-  const bool resized = !first && (width != width_ || height != height_);
-  if (!resized) {
-    if (!attach(width, height)) return false;
-    // A window of GLFW is double-buffered: the program finds GL_BACK where OSMesa starts with
-    // GL_FRONT (here, the same buffer).
-    if (first) {
-      gl().drawBuffer(GL_BACK);
-      gl().readBuffer(GL_BACK);
-    }
-    return true;
-  }
+  const bool resized = width_ != 0 && (width != width_ || height != height_);
+  if (!resized) return attach(width, height);
   // OSMesa makes a new window framebuffer for the new size; its draw and read buffer move over.
   if (OSMesaGetCurrentContext() != context_ && !attach(width_, height_)) return false;
   const WindowBinding binding;

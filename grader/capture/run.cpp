@@ -2,6 +2,7 @@
 
 #include "capture/channel_writer.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -45,8 +46,9 @@ std::uint32_t Run::frame() const {
 
 Size Run::plannedSize(Size asked) const {
   const std::lock_guard lock(mutex_);
-  if (!plan() || frame_ >= plan()->frameCount) return asked;
-  const channel::PlannedFrame& planned = plan()->frames[frame_];
+  if (!plan()) return asked;
+  // After the last frame nothing changes any more.
+  const channel::PlannedFrame& planned = plan()->frames[std::min(frame_, plan()->frameCount - 1)];
   return {planned.width ? static_cast<int>(planned.width) : asked.width,
           planned.height ? static_cast<int>(planned.height) : asked.height};
 }

@@ -1,0 +1,202 @@
+// The judging side of the capture channel against children that write what they like.
+
+#include "capture/channel_reader.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstring>
+#include <fcntl.h>
+#include <limits>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace ggrade::channel {
+namespace {
+
+/// The file as the child has it.
+class ChildView {
+public:
+  explicit ChildView(const Channel& channel) : bytes_(totalBytes(channel.plan())) {
+    file_ = static_cast<unsigned char*>(
+        mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED, channel.descriptor(), 0));
+  }
+  ~ChildView() { munmap(file_, bytes_); }
+  ChildView(const ChildView&) = delete;
+  ChildView& operator=(const ChildView&) = delete;
+
+  Header& header() { return *reinterpret_cast<Header*>(file_); }
+  unsigned char* slot(const Plan& plan, std::uint32_t index) {
+    return file_ + slotOffset(plan, index);
+  }
+  void fill(unsigned char value) { std::memset(file_, value, bytes_); }
+
+private:
+  std::size_t bytes_;
+  unsigned char* file_;
+};
+
+/// A channel of two 2x2 frames whose child has written both, rows numbered from the bottom.
+class ChannelRead : public testing::Test {
+protected:
+  ChannelRead() : channel_({{0.25, 2, 2}, {0.5, 2, 2}}), child_(channel_) {
+    Header& header = child_.header();
+    header.started = header.contextMade = 1;
+    header.framesDone = 2;
+    header.contextSeconds = 0.06;
+    std::strcpy(header.glVersion, "4.5");
+    for (std::uint32_t i = 0; i < 2; ++i) {
+      header.frames[i].written = 1;
+      header.frames[i].width = header.frames[i].height = 2;
+      for (int byte = 0; byte < 16; ++byte) {
+        child_.slot(channel_.plan(), i)[byte] = static_cast<unsigned char>(16 * i + byte);
+      }
+    }
+    header.messageCount = 1;
+    header.messages[0] = {1, 1, 3, "GL_INVALID_ENUM in glEnable"};
+  }
+  Channel channel_;
+  ChildView child_;
+};
+
+TEST_F(ChannelRead, CopiesFramesWithTheTopRowFirst) {
+  const Capture capture = channel_.read();
+  ASSERT_EQ(capture.error, "");
+  EXPECT_TRUE(capture.started);
+  EXPECT_TRUE(capture.contextMade);
+  EXPECT_FALSE(capture.endedByCapture);
+  EXPECT_EQ(capture.contextSeconds, 0.06);
+  EXPECT_EQ(capture.glVersion, "4.5");
+  ASSERT_EQ(capture.frames.size(), 2U);
+  EXPECT_EQ(capture.frames[1].time, 0.5);
+  EXPECT_THAT(capture.frames[0].pixels,
+              testing::ElementsAre(8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7));
+  EXPECT_EQ(capture.frames[1].pixels[0], 24);
+  ASSERT_EQ(capture.messages.size(), 1U);
+  EXPECT_EQ(capture.messages[0].kind, MessageKind::glError);
+  EXPECT_EQ(capture.messages[0].count, 3U);
+  EXPECT_EQ(capture.messages[0].text, "GL_INVALID_ENUM in glEnable");
+}
+
+TEST_F(ChannelRead, OddHeightsKeepTheirMiddleRow) {
+  child_.header().frames[0].width = 1;
+  child_.header().frames[0].height = 3;
+  EXPECT_THAT(channel_.read().frames[0].pixels,
+              testing::ElementsAre(8, 9, 10, 11, 4, 5, 6, 7, 0, 1, 2, 3));
+}
+
+TEST_F(ChannelRead, UntouchedFileIsAProgramThatNeverStarted) {
+  const Channel fresh({{0, 2, 2}});
+  const Capture capture = fresh.read();
+  EXPECT_EQ(capture.error, "");
+  EXPECT_FALSE(capture.started);
+  EXPECT_TRUE(capture.frames.empty());
+}
+
+TEST_F(ChannelRead, TrustsItsOwnPlanOnly) {
+  std::memset(&child_.header().plan, 0xFF, sizeof(Plan));
+  const Capture capture = channel_.read();
+  EXPECT_EQ(capture.error, "");
+  EXPECT_EQ(capture.frames.size(), 2U);
+  EXPECT_EQ(capture.frames[0].time, 0.25);
+}
+
+TEST_F(ChannelRead, SanitizesText) {
+  std::strcpy(child_.header().messages[0].text, "a\x1B[2J\xFF");
+  EXPECT_EQ(channel_.read().messages[0].text, "a\xEF\xBF\xBD[2J\xEF\xBF\xBD");
+}
+
+TEST_F(ChannelRead, AllOnesAreRefused) {
+  child_.fill(0xFF);
+  const Capture capture = channel_.read();
+  EXPECT_EQ(capture.error, "started: 4294967295 is above 1");
+  EXPECT_TRUE(capture.frames.empty());
+  EXPECT_TRUE(capture.messages.empty());
+}
+
+TEST_F(ChannelRead, EveryForgeryIsNamed) {
+  struct Case {
+    const char* error;
+    void (*forge)(Header&);
+  };
+  const Case cases[] = {
+      {"contextMade: 2 is above 1", [](Header& header) { header.contextMade = 2; }},
+      {"endedByCapture: 7 is above 1", [](Header& header) { header.endedByCapture = 7; }},
+      {"framesDone: 3 is above 2", [](Header& header) { header.framesDone = 3; }},
+      {"framesDone: 4294967295 is above 2", [](Header& header) { header.framesDone = ~0U; }},
+      {"messageCount: 65 is above 64", [](Header& header) { header.messageCount = 65; }},
+      {"contextSeconds: nan is not a time from 0 to 1000000 seconds",
+       [](Header& header) { header.contextSeconds = std::numeric_limits<double>::quiet_NaN(); }},
+      {"shaderSeconds: inf is not a time from 0 to 1000000 seconds",
+       [](Header& header) { header.shaderSeconds = std::numeric_limits<double>::infinity(); }},
+      {"glVersion: the text does not end",
+       [](Header& header) { std::memset(header.glVersion, 'x', sizeof(header.glVersion)); }},
+      {"glRenderer: the text does not end",
+       [](Header& header) { std::memset(header.glRenderer, 'x', sizeof(header.glRenderer)); }},
+      {"messages[0].kind: 0 is below 1", [](Header& header) { header.messages[0].kind = 0; }},
+      {"messages[0].kind: 4 is above 3", [](Header& header) { header.messages[0].kind = 4; }},
+      {"messages[0].frame: 65 is above 64", [](Header& header) { header.messages[0].frame = 65; }},
+      {"messages[0].text: the text does not end",
+       [](Header& header) { std::memset(header.messages[0].text, 'x', sizeof(Message::text)); }},
+      {"frames[1].written: 2 is above 1", [](Header& header) { header.frames[1].written = 2; }},
+      {"frames[1].windowSrgb: 2 is above 1",
+       [](Header& header) { header.frames[1].windowSrgb = 2; }},
+      {"frames[1].width: 0 is below 1", [](Header& header) { header.frames[1].width = 0; }},
+      {"frames[1].width: 20000 is above 16384",
+       [](Header& header) { header.frames[1].width = 20000; }},
+      {"frames[1].height: 4294967295 is above 16384",
+       [](Header& header) { header.frames[1].height = ~0U; }},
+      {"frames[0].bytes: 24 is above 16", [](Header& header) { header.frames[0].width = 3; }},
+      {"frames[0].seconds: -1.000000 is not a time from 0 to 1000000 seconds",
+       [](Header& header) { header.frames[0].seconds = -1; }},
+  };
+  const Header good = child_.header();
+  for (const Case& bad : cases) {
+    child_.header() = good;
+    bad.forge(child_.header());
+    const Capture capture = channel_.read();
+    EXPECT_EQ(capture.error, bad.error);
+    EXPECT_TRUE(capture.frames.empty());
+  }
+  child_.header() = good;
+  EXPECT_EQ(channel_.read().error, "");
+}
+
+TEST_F(ChannelRead, AFrameThatWasTooLargeHasASizeAndNoPixels) {
+  child_.header().frames[0].written = 0;
+  child_.header().frames[0].width = 9999;
+  const Capture capture = channel_.read();
+  EXPECT_EQ(capture.error, "");
+  EXPECT_EQ(capture.frames[0].width, 9999U);
+  EXPECT_TRUE(capture.frames[0].pixels.empty());
+}
+
+TEST(Channel, CannotBeResizedByTheChild) {
+  const Channel channel({{0, 4, 4}});
+  EXPECT_NE(ftruncate(channel.descriptor(), 0), 0);
+  EXPECT_NE(ftruncate(channel.descriptor(), 1 << 20), 0);
+  EXPECT_NE(fcntl(channel.descriptor(), F_ADD_SEALS, F_SEAL_WRITE), 0);
+  struct stat status {};
+  fstat(channel.descriptor(), &status);
+  EXPECT_EQ(static_cast<std::uint64_t>(status.st_size), totalBytes(channel.plan()));
+  EXPECT_EQ(totalBytes(channel.plan()) - slotOffset(channel.plan(), 0), 64U);
+}
+
+TEST(Channel, LeavesRoomForSizesThatTheProgramChooses) {
+  EXPECT_EQ(Channel({{0, 0, 100}}).plan().slotBytes, std::uint64_t{4} * 1920 * 1080);
+  EXPECT_EQ(Channel({{0, 0, 0}, {0, 40, 30}}, 500).plan().slotBytes, std::uint64_t{4} * 1200);
+}
+
+TEST(Channel, RefusesImpossiblePlans) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(Channel({}), std::invalid_argument);
+  EXPECT_THROW(Channel(std::vector<PlannedFrame>(65, {0, 1, 1})), std::invalid_argument);
+  EXPECT_THROW(Channel({{-1, 1, 1}}), std::invalid_argument);
+  EXPECT_THROW(Channel({{nan, 1, 1}}), std::invalid_argument);
+  EXPECT_THROW(Channel({{0, 16385, 1}}), std::invalid_argument);
+  EXPECT_THROW(Channel({{0, 0, 0}}, 0), std::invalid_argument);
+}
+
+} // namespace
+} // namespace ggrade::channel
