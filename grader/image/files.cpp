@@ -146,8 +146,12 @@ ErrorStatistics openImageIoStatistics(const Image& a, const Image& b, float fail
     // OpenImageIO wants a writable buffer even where it only reads.
     return OIIO::ImageBuf(spec, const_cast<float*>(image.values().data()));
   };
-  const auto found = OIIO::ImageBufAlgo::compare(wrap(a), wrap(b), fail, warn, OIIO::ROI(), 1);
-  if (found.error) throw std::runtime_error("OpenImageIO cannot compare: " + OIIO::geterror());
+  const OIIO::ImageBuf left = wrap(a), right = wrap(b);
+  // Its `error` means that a pixel failed; what went wrong is kept in the buffers.
+  const auto found = OIIO::ImageBufAlgo::compare(left, right, fail, warn, OIIO::ROI(), 1);
+  for (const auto* buffer : {&left, &right})
+    if (buffer->has_error())
+      throw std::runtime_error("OpenImageIO cannot compare: " + buffer->geterror());
   ErrorStatistics result;
   result.meanError = found.meanerror;
   result.rmsError = found.rms_error;
