@@ -39,8 +39,8 @@ Data tagsOf(const Item& item) {
   };
   if (item.kind == ItemKind::bonus) add("bonus", "extra");
   if (item.kind == ItemKind::keep)
-    add(fmt::format("must stay right, up to −{}", number(item.points)), "");
-  if (item.beyondLecture) add("beyond the lecture", "");
+    add(fmt::format("must stay right, up to −{}", number(item.points)), "plain");
+  if (item.beyondLecture) add("beyond the lecture", "plain");
   return tags;
 }
 
@@ -79,7 +79,7 @@ Data itemOf(const Result& result, std::size_t index) {
   data["where"] = line(item.where);
   data["cause"] = line(item.cause);
   data["step"] = line(item.step);
-  data["hasCredits"] = Data(isLost && !item.credits.empty());
+  data["hasCredits"] = Data(isLost && item.kind != ItemKind::bonus && !item.credits.empty());
   data["credits"] = creditsOf(result, item);
   return data;
 }

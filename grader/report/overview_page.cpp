@@ -17,6 +17,7 @@ Data rowOf(const Summary& summary) {
   Data row;
   row["state"] = Data(std::string(stateOf(summary)));
   row["outcome"] = Data(std::string(name(summary.outcome)));
+  row["outcomeWords"] = Data(words(name(summary.outcome)));
   row["submission"] = Data(summary.submission.empty() ? "(no name)" : summary.submission);
   row["link"] = summary.link.empty() ? Data(false) : Data(encodePath(summary.link));
   const std::string uri = pngDataUri(summary.thumbnail);
@@ -52,7 +53,7 @@ Data tallyOf(std::span<const Summary> results) {
   for (const Entry& entry : entries) {
     if (entry.count == 0) continue;
     Data chip;
-    chip["word"] = Data(entry.word);
+    chip["word"] = Data(words(entry.word));
     chip["state"] = Data(entry.state);
     chip["count"] = Data(std::to_string(entry.count));
     tally << chip;

@@ -10,14 +10,18 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace ggrade::report {
 
 inline constexpr std::size_t kOutputBytes = 64 << 10; ///< of compiler or program output on a page
 
-/// Student, reference, difference as data URIs, by scene name and frame.
-using Pictures = std::map<std::string, std::vector<std::array<std::string, 3>>>;
+/// Student, reference, difference as data URIs.
+using FramePictures = std::array<std::string, 3>;
+/// The frames of each scene. Public and hidden scenes never share an entry, whatever their names.
+using SceneKey = std::pair<std::string, bool>;
+using Pictures = std::map<SceneKey, std::vector<FramePictures>>;
 Pictures encode(const Result& result);
 
 /// Who reads the page decides its words, not what it shows: that is in the Result it is given.

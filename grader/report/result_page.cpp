@@ -89,7 +89,7 @@ Data heroOf(const Result& result, const Audience& audience) {
   const std::string moment =
       fmt::format("{}, {} s", sanitizeLine(scene.name, 40), number(frame.time, 3));
   if (whole) {
-    add(frame.student, 300, moment);
+    add(frame.student, 360, moment);
   } else {
     add(frame.student, 180, (audience.instructor ? "submission: " : "yours: ") + moment);
     add(frame.reference, 180, "reference");
@@ -130,6 +130,24 @@ Data factsOf(const Result& result, const Audience& audience) {
   return facts;
 }
 
+// What stands behind a perfect score, in numbers.
+std::string proofOf(const Result& result) {
+  if (!perfect(result)) return "";
+  std::size_t frames = 0;
+  double worst = 0;
+  for (const Scene& scene : result.scenes)
+    for (const Frame& frame : scene.frames) {
+      ++frames;
+      worst = std::max(worst, frame.wrongShare);
+    }
+  if (frames == 0) return "";
+  return fmt::format("{} item{} in {} frame{} of {} scene{}; {}.", result.items.size(),
+                     result.items.size() == 1 ? "" : "s", frames, frames == 1 ? "" : "s",
+                     result.scenes.size(), result.scenes.size() == 1 ? "" : "s",
+                     worst <= 0 ? "no pixel differs"
+                                : "at most " + percent(worst) + " of a frame's pixels differ");
+}
+
 void setVerdict(Data& data, const Result& result, const Audience& audience) {
   const Summary summary = summarize(result);
   const bool hasScore = result.outcome != Outcome::notGradable;
@@ -149,6 +167,7 @@ void setVerdict(Data& data, const Result& result, const Audience& audience) {
   data["headline"] = Data(summary.headline);
   data["detail"] =
       sanitizeLine(result.detail) == summary.headline ? Data(false) : text(result.detail);
+  data["proof"] = optional(proofOf(result));
   data["firstError"] = optional(firstError(result));
   Data findings = makeList();
   for (const Item* item : worstItems(result, kFindings)) findings << findingOf(result, *item);
@@ -168,6 +187,11 @@ std::string page(const Result& result, const Pictures& pictures, const Audience&
     scenes << sceneOf(result, i, pictures, audience, i == 0 || (worst.found && i == worst.scene));
   data["compiler"] = optional(compilerHtml(result.compilerOutput));
   data["hasItems"] = Data(!result.items.empty());
+  const bool noneJudged = std::ranges::none_of(result.items, &Item::judged);
+  data["unjudgedNote"] = noneJudged
+                             ? Data(fmt::format("{} item{} not judged.", result.items.size(),
+                                                result.items.size() == 1 ? " was" : "s were"))
+                             : Data(false);
   data["items"] = std::move(items);
   data["hasScenes"] = Data(!result.scenes.empty() || scenesLeftOut);
   data["scenes"] = std::move(scenes);

@@ -131,7 +131,7 @@ Json extraData(const Result& result) {
 } // namespace
 
 std::string resultsJson(const Result& result, Reveal reveal) {
-  const Result view = studentView(result, reveal);
+  const Result view = studentView(result, reveal, false);
   Json tests = Json::array();
   for (std::size_t i = 0; i < view.items.size(); ++i) tests.push_back(testOf(view.items[i], i + 1));
   const bool hasScore = result.outcome != Outcome::notGradable;

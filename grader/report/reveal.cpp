@@ -35,7 +35,7 @@ bool speaksOfHiddenScene(const Result& result, const Item& item) {
          });
 }
 
-void reduce(Item& item, const Result& result, Reveal reveal) {
+Item reduced(Item item, const Result& result, Reveal reveal) {
   if (reveal == Reveal::none) {
     for (std::string* text : {&item.message, &item.where, &item.cause, &item.step}) text->clear();
     item.credits.clear();
@@ -43,25 +43,40 @@ void reduce(Item& item, const Result& result, Reveal reveal) {
     item.message = withholdPositions(item.message);
     item.where.clear();
   }
+  return item;
 }
 
-void reduceHidden(Scene& scene, Reveal reveal) {
-  scene.output.clear();
-  scene.seconds = 0;
-  if (reveal == Reveal::details) return;
-  scene.detail.clear();
-  scene.messages.clear();
-  scene.frames.clear();
+Scene reduced(const Scene& scene, Reveal reveal, bool pictures) {
+  Scene view;
+  view.name = scene.name;
+  view.isPublic = scene.isPublic;
+  view.outcome = scene.outcome;
+  if (scene.isPublic) view.output = scene.output;
+  if (!scene.isPublic && reveal != Reveal::details) return view;
+  view.detail = scene.detail;
+  view.messages = scene.messages;
+  if (pictures) view.frames = scene.frames;
+  return view;
 }
 
-// The evidence of a failed run may quote the program. It stays when the same happened in the public
-// scene, or before any scene was drawn.
+// The evidence of a failed run may quote the program. It stays when it comes from before any scene
+// was drawn, or when the same happened in the public scene and no hidden scene's evidence stands in
+// it.
 bool detailIsPublic(const Result& result) {
   if (result.outcome == Outcome::graded || result.outcome == Outcome::buildFailed) return true;
-  return result.scenes.empty() ||
-         std::any_of(result.scenes.begin(), result.scenes.end(), [&](const Scene& scene) {
-           return scene.isPublic && scene.outcome == name(result.outcome);
-         });
+  bool seenInPublic = result.scenes.empty();
+  std::string shown;
+  for (const Scene& scene : result.scenes) {
+    if (!scene.isPublic) continue;
+    seenInPublic = seenInPublic || scene.outcome == name(result.outcome);
+    shown += scene.detail;
+  }
+  const bool quotesHidden = std::ranges::any_of(result.scenes, [&](const Scene& scene) {
+    return !scene.isPublic && !scene.detail.empty() &&
+           result.detail.find(scene.detail) != std::string::npos &&
+           shown.find(scene.detail) == std::string::npos;
+  });
+  return seenInPublic && !quotesHidden;
 }
 
 bool namesHiddenScene(const Result& result, std::string_view text) {
@@ -69,6 +84,13 @@ bool namesHiddenScene(const Result& result, std::string_view text) {
     return !scene.isPublic && !scene.name.empty() &&
            text.find(scene.name) != std::string_view::npos;
   });
+}
+
+std::string shownDetail(const Result& result, Reveal reveal) {
+  if (reveal == Reveal::details) return result.detail;
+  const bool named = reveal == Reveal::none && namesHiddenScene(result, result.detail);
+  if (named || !detailIsPublic(result)) return "This happened in a hidden scene.";
+  return withholdPositions(result.detail);
 }
 
 } // namespace
@@ -94,22 +116,27 @@ std::string withholdPositions(std::string_view message) {
   return out;
 }
 
-Result studentView(const Result& result, Reveal reveal) {
-  Result view = result;
-  view.seed = 0;
-  view.timings.clear();
-  for (Item& item : view.items) reduce(item, result, reveal);
-  for (Scene& scene : view.scenes)
-    if (!scene.isPublic) reduceHidden(scene, reveal);
-  if (reveal == Reveal::none)
-    std::erase_if(view.scenes, [](const Scene& scene) { return !scene.isPublic; });
-  if (reveal != Reveal::details) {
-    view.detail = withholdPositions(view.detail);
-    const bool named = reveal == Reveal::none && namesHiddenScene(result, view.detail);
-    if (named || !detailIsPublic(result)) {
-      view.detail = "It went well in the public scene; this happened in a hidden one.";
-    }
-  }
+Result studentView(const Result& result, Reveal reveal, bool pictures) {
+  // Field by field: what is added to Result later stays hidden until someone decides otherwise.
+  Result view;
+  view.assignment = result.assignment;
+  view.part = result.part;
+  view.title = result.title;
+  view.submission = result.submission;
+  view.outcome = result.outcome;
+  view.detail = shownDetail(result, reveal);
+  view.score = result.score;
+  view.bonus = result.bonus;
+  view.maxScore = result.maxScore;
+  for (const Item& item : result.items) view.items.push_back(reduced(item, result, reveal));
+  for (const Scene& scene : result.scenes)
+    if (scene.isPublic || reveal != Reveal::none)
+      view.scenes.push_back(reduced(scene, reveal, pictures));
+  view.compilerOutput = result.compilerOutput;
+  view.unusedFiles = result.unusedFiles;
+  view.thresholds = result.thresholds;
+  view.sandbox = result.sandbox;
+  view.fingerprint = result.fingerprint;
   return view;
 }
 

@@ -25,7 +25,8 @@ std::optional<Reveal> parseReveal(std::string_view word);
 /// scenes), timings, and what the program printed in hidden scenes. Below `details` also gone: all
 /// text of a hidden run that the program can write into (GL messages, evidence), because it can
 /// read the scene.
-Result studentView(const Result& result, Reveal reveal);
+/// \param pictures false leaves out all frames: copying them takes most of the time
+Result studentView(const Result& result, Reveal reveal, bool pictures = true);
 
 /// Replaces bracketed coordinates, such as `(212, 340)` or `[0.1,2]`, by `(position withheld)`.
 std::string withholdPositions(std::string_view message);

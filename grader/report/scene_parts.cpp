@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
+#include <future>
 
 namespace ggrade::report {
 namespace {
@@ -14,27 +16,51 @@ std::string percentWrong(double share) {
   return share <= 0 ? "no pixel differs" : percent(share) + " of the pixels differ";
 }
 
+struct Loss {
+  std::size_t item = 0;
+  double credit = 0;
+};
+
+// Items that got less than full credit in the scene. A bonus isn't missed.
+std::vector<Loss> lossesIn(const Result& result, const Scene& scene) {
+  std::vector<Loss> losses;
+  for (std::size_t i = 0; i < result.items.size(); ++i)
+    for (const auto& [name, credit] : result.items[i].credits)
+      if (name == scene.name && result.items[i].kind != ItemKind::bonus && credit < 1)
+        losses.push_back({i, credit});
+  return losses;
+}
+
 struct SceneLook {
   std::string_view state;
   std::string word;
 };
 
 // A scene stands as its worst item does; without credits the outcome decides.
-SceneLook lookOf(const Result& result, const Scene& scene) {
-  if (scene.outcome != name(Outcome::graded) && scene.outcome != name(Outcome::glError))
-    return {"none", scene.outcome};
-  double least = 1;
-  int losing = 0;
-  for (const Item& item : result.items)
-    for (const auto& [name, credit] : item.credits)
-      if (name == scene.name && item.kind != ItemKind::bonus && credit < 1) {
-        least = std::min(least, credit);
-        ++losing;
-      }
-  if (scene.outcome == name(Outcome::glError))
-    return {losing > 0 ? creditState(least) : "part", scene.outcome};
-  if (losing == 0) return {"full", "all right"};
-  return {creditState(least), fmt::format("{} item{} lost points", losing, losing == 1 ? "" : "s")};
+SceneLook lookOf(const Scene& scene, const std::vector<Loss>& losses) {
+  const bool glError = scene.outcome == name(Outcome::glError);
+  if (scene.outcome != name(Outcome::graded) && !glError) return {"none", words(scene.outcome)};
+  if (losses.empty())
+    return glError ? SceneLook{"part", words(scene.outcome)} : SceneLook{"full", "all right"};
+  const double least = std::ranges::min_element(losses, {}, &Loss::credit)->credit;
+  if (glError) return {creditState(least), words(scene.outcome)};
+  return {creditState(least),
+          fmt::format("{} item{} lost points", losses.size(), losses.size() == 1 ? "" : "s")};
+}
+
+Data lossData(const Result& result, const std::vector<Loss>& losses) {
+  Data list = makeList();
+  for (const Loss& loss : losses) {
+    const Item& item = result.items[loss.item];
+    Data entry;
+    entry["lossState"] = Data(std::string(creditState(loss.credit)));
+    entry["lossSign"] = Data(loss.credit > 0 ? "◐" : "✗");
+    entry["itemAnchor"] = Data(fmt::format("item-{}", loss.item));
+    entry["item"] = line(item.title.empty() ? item.id : item.title);
+    entry["credit"] = Data(percent(loss.credit));
+    list << entry;
+  }
+  return list;
 }
 
 Data pictureOf(const Image& image, const std::string& uri, const std::string& role,
@@ -50,7 +76,15 @@ Data pictureOf(const Image& image, const std::string& uri, const std::string& ro
   return data;
 }
 
-Data frameOf(const Scene& scene, const Frame& frame, const std::array<std::string, 3>& uris,
+SceneKey keyOf(const Scene& scene) {
+  return {scene.name, scene.isPublic};
+}
+
+bool comparable(const Frame& frame) {
+  return !frame.student.empty() && sameSize(frame.student, frame.reference);
+}
+
+Data frameOf(const Scene& scene, const Frame& frame, const FramePictures& uris,
              const Audience& audience) {
   const std::string moment =
       fmt::format("{} at {} s", sanitizeLine(scene.name), number(frame.time, 3));
@@ -68,10 +102,6 @@ Data frameOf(const Scene& scene, const Frame& frame, const std::array<std::strin
   data["caption"] =
       Data(fmt::format("t = {} s, {}", number(frame.time, 3), none ? "no frame came" : wrong));
   data["pictures"] = std::move(pictures);
-  data["slider"] = Data(!none && sameSize(frame.student, frame.reference));
-  data["who"] = Data(audience.who());
-  data["width"] = Data(std::to_string(frame.student.width()));
-  data["middle"] = Data(std::to_string(frame.student.width() / 2));
   return data;
 }
 
@@ -90,39 +120,61 @@ Data choicesOf(const Scene& scene, std::size_t sceneIndex, std::size_t chosen) {
 } // namespace
 
 Pictures encode(const Result& result) {
-  Pictures pictures;
-  for (const Scene& scene : result.scenes)
+  const auto uris = [](const Scene& scene) {
+    std::vector<FramePictures> frames;
     for (const Frame& frame : scene.frames)
-      pictures[scene.name].push_back(
+      frames.push_back(
           {pngDataUri(frame.student), pngDataUri(frame.reference), pngDataUri(frame.difference)});
+    return frames;
+  };
+  // Compressing is most of the time that a report takes: a thread a scene.
+  std::vector<std::future<std::vector<FramePictures>>> pending;
+  for (const Scene& scene : result.scenes)
+    pending.push_back(std::async(std::launch::async, uris, std::cref(scene)));
+  Pictures pictures;
+  for (std::size_t i = 0; i < pending.size(); ++i)
+    pictures.try_emplace(keyOf(result.scenes[i]), pending[i].get());
   return pictures;
 }
 
 Data sceneOf(const Result& result, std::size_t index, const Pictures& pictures,
              const Audience& audience, bool open) {
   const Scene& scene = result.scenes[index];
-  const SceneLook look = lookOf(result, scene);
+  const std::vector<Loss> losses = lossesIn(result, scene);
+  const SceneLook look = lookOf(scene, losses);
   std::size_t worst = 0;
   for (std::size_t i = 0; i < scene.frames.size(); ++i)
     if (scene.frames[i].wrongShare > scene.frames[worst].wrongShare) worst = i;
   Data data, frames = makeList();
   for (std::size_t i = 0; i < scene.frames.size(); ++i)
-    frames << frameOf(scene, scene.frames[i], pictures.at(scene.name)[i], audience);
+    frames << frameOf(scene, scene.frames[i], pictures.at(keyOf(scene)).at(i), audience);
   const bool shown = !scene.frames.empty();
   const bool withheld = !audience.instructor && !scene.isPublic && !shown;
   data["anchor"] = Data(fmt::format("scene-{}", index));
   data["scene"] = line(scene.name.empty() ? "(no name)" : scene.name);
-  data["publicWord"] = Data(scene.isPublic ? "public" : "hidden");
+  const std::string publicWord = scene.isPublic ? "public" : "hidden";
+  data["publicWord"] = scene.name == publicWord ? Data(false) : Data(publicWord);
   data["state"] = Data(std::string(look.state));
   data["outcome"] = line(look.word);
   data["open"] = Data(open);
-  data["wrong"] = shown ? Data(percentWrong(scene.frames[worst].wrongShare)) : Data(false);
+  const bool drawn =
+      std::ranges::any_of(scene.frames, [](const Frame& f) { return !f.student.empty(); });
+  data["wrong"] = !shown  ? Data(false)
+                  : drawn ? Data(percentWrong(scene.frames[worst].wrongShare))
+                          : Data("no frame came");
   data["seconds"] = scene.seconds > 0 ? Data(number(scene.seconds) + " s") : Data(false);
   data["detail"] = text(scene.detail);
   data["withheld"] = withheld ? Data("The pictures of this scene are not shown.") : Data(false);
   data["hasChoice"] = Data(scene.frames.size() > 1);
   data["choices"] = choicesOf(scene, index, worst);
   data["frames"] = std::move(frames);
+  data["slider"] = Data(std::ranges::any_of(scene.frames, comparable));
+  data["who"] = Data(audience.who());
+  const int width = shown ? scene.frames[worst].student.width() : 0;
+  data["width"] = Data(std::to_string(width));
+  data["middle"] = Data(std::to_string(width / 2));
+  data["hasLosses"] = Data(!losses.empty());
+  data["losses"] = lossData(result, losses);
   data["hasMessages"] = Data(!scene.messages.empty());
   data["messages"] = linesOf(scene.messages);
   data["output"] = text(capped(sanitize(scene.output), kOutputBytes));

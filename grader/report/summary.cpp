@@ -132,7 +132,7 @@ std::string pointsText(const Item& item) {
   if (!item.judged) return "not judged";
   switch (item.kind) {
   case ItemKind::keep:
-    return lost(item) <= kEpsilon ? "kept" : number(item.earned);
+    return lost(item) <= kEpsilon ? "kept" : "−" + number(lost(item));
   case ItemKind::bonus:
     return fmt::format("+{} / {}", number(item.earned), number(item.points));
   case ItemKind::gain:

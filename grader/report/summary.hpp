@@ -58,7 +58,7 @@ Summary summarize(const Result& result, const std::string& link = "");
 /// The class that colours the whole: "full", "part", "none" or "unjudged" (not gradable).
 std::string_view stateOf(const Summary& summary);
 
-/// "12 / 20", "+5 / 10" (bonus), "-4" or "kept" (keep), "not judged".
+/// "12 / 20", "+5 / 10" (bonus), "−4" or "kept" (keep), "not judged".
 std::string pointsText(const Item& item);
 
 /// Wall-clock seconds of the whole grading.

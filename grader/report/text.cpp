@@ -190,6 +190,12 @@ std::string percent(double share) {
   return number(value, 1) + "%";
 }
 
+std::string words(std::string_view name) {
+  std::string text(name);
+  std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
 std::size_t displayWidth(std::string_view text) {
   struct Range {
     std::uint32_t first, last;

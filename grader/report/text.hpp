@@ -38,6 +38,9 @@ std::string number(double value, int decimals = 2);
 /// A share as a percentage that never rounds a difference away: "0%", "<0.1%", "31%", "99.9%".
 std::string percent(double share);
 
+/// "build failed" for "build_failed".
+std::string words(std::string_view name);
+
 /// Columns that valid UTF-8 takes on a terminal: 2 for East Asian wide characters, 0 for combining
 /// ones.
 std::size_t displayWidth(std::string_view text);
