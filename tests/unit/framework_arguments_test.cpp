@@ -1,0 +1,53 @@
+#include "arguments.hpp"
+
+#include "framework_throws.hpp"
+#include <gmock/gmock.h>
+
+namespace {
+
+using gg::detail::parseArguments;
+using gg::detail::UsageError;
+
+std::string messageFor(const std::vector<std::string>& words) {
+  return messageOf<UsageError>([&] { parseArguments(words); });
+}
+
+TEST(Arguments, AreAllOptional) {
+  const auto arguments = parseArguments({});
+  EXPECT_FALSE(arguments.help);
+  EXPECT_FALSE(arguments.scene);
+  EXPECT_FALSE(arguments.mesh);
+  EXPECT_FALSE(arguments.size);
+}
+
+TEST(Arguments, TakeTheirValueAfterASpaceOrAnEqualsSign) {
+  const auto arguments =
+      parseArguments({"--scene", "a b.json", "--mesh=x=y.obj", "--size", "64x48"});
+  EXPECT_EQ(arguments.scene, "a b.json");
+  EXPECT_EQ(arguments.mesh, "x=y.obj");
+  EXPECT_EQ(arguments.size, glm::ivec2(64, 48));
+}
+
+TEST(Arguments, HelpIsRecognised) {
+  EXPECT_TRUE(parseArguments({"--help"}).help);
+  EXPECT_TRUE(parseArguments({"-h"}).help);
+  EXPECT_THAT(gg::detail::usage("floor"), testing::StartsWith("usage: floor [--scene FILE]"));
+}
+
+TEST(Arguments, UnknownOnesAreNamed) {
+  EXPECT_EQ(messageFor({"--seen", "x"}), "unknown argument \"--seen\"");
+  EXPECT_EQ(messageFor({"scene.json"}), "unknown argument \"scene.json\"");
+}
+
+TEST(Arguments, AMissingValueIsNamed) {
+  EXPECT_EQ(messageFor({"--mesh"}), "--mesh needs a value");
+}
+
+TEST(Arguments, ABadSizeSaysWhatIsAllowed) {
+  for (const std::string size :
+       {"640", "640x", "x480", "0x480", "640x480x2", "-1x5", "16385x1", ""})
+    EXPECT_EQ(messageFor({"--size", size}),
+              "--size " + size + ": must be like 640x480, each side 1 to 16384");
+}
+
+} // namespace
