@@ -85,26 +85,26 @@ OsmesaContext::~OsmesaContext() {
   OSMesaDestroyContext(static_cast<OSMesaContext>(context_));
 }
 
-bool OsmesaContext::attach(int width, int height) {
-  if (width != width_ || height != height_) {
-    buffer_.assign(
-        std::size_t{4} * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-    width_ = width;
-    height_ = height;
+bool OsmesaContext::attach(Size size) {
+  if (size != size_) {
+    buffer_.assign(std::size_t{4} * static_cast<std::size_t>(size.width) *
+                       static_cast<std::size_t>(size.height),
+                   0);
+    size_ = size;
   }
   return OSMesaMakeCurrent(static_cast<OSMesaContext>(context_), buffer_.data(), GL_UNSIGNED_BYTE,
-                           width, height);
+                           size.width, size.height);
 }
 
-bool OsmesaContext::makeCurrent(int width, int height) {
-  const bool resized = width_ != 0 && (width != width_ || height != height_);
-  if (!resized) return attach(width, height);
+bool OsmesaContext::makeCurrent(Size size) {
+  const bool resized = size_ != Size{} && size != size_;
+  if (!resized) return attach(size);
   // OSMesa makes a new window framebuffer for the new size; its draw and read buffer move over.
-  if (OSMesaGetCurrentContext() != context_ && !attach(width_, height_)) return false;
+  if (OSMesaGetCurrentContext() != context_ && !attach(size_)) return false;
   const WindowBinding binding;
   const auto drawBuffer = static_cast<GLenum>(integer(GL_DRAW_BUFFER));
   const auto readBuffer = static_cast<GLenum>(integer(GL_READ_BUFFER));
-  if (!attach(width, height)) return false;
+  if (!attach(size)) return false;
   gl().drawBuffer(drawBuffer);
   gl().readBuffer(readBuffer);
   return true;

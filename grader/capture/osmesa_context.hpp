@@ -4,6 +4,7 @@
 /// another kind (EGL without a surface) would stand beside it with the same functions.
 
 #include "capture/gl_forward.hpp"
+#include "capture/size.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -31,7 +32,7 @@ public:
   /// Makes the context current to the calling thread with a window of this size (pixels, at least
   /// 1). A change of size loses the window's content and keeps its draw and read buffer. False on
   /// failure.
-  bool makeCurrent(int width, int height);
+  bool makeCurrent(Size size);
   static void clearCurrent();
 
   /// Waits for all commands and brings the window's colours into `pixels`. The context must be
@@ -40,8 +41,7 @@ public:
 
   /// width x height x 4 bytes RGBA, row 0 at the bottom, as of the last `finish`.
   const std::uint8_t* pixels() const { return buffer_.data(); }
-  int width() const { return width_; }
-  int height() const { return height_; }
+  Size size() const { return size_; }
 
   void* native() const { return context_; }
 
@@ -50,11 +50,10 @@ public:
 
 private:
   explicit OsmesaContext(void* context) : context_(context) {}
-  bool attach(int width, int height);
+  bool attach(Size size);
 
   void* context_; ///< OSMesaContext
-  int width_ = 0;
-  int height_ = 0;
+  Size size_;     ///< empty until it is current for the first time
   std::vector<std::uint8_t> buffer_;
 };
 

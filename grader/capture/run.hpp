@@ -4,16 +4,12 @@
 /// is to stop. Any thread. Scheduled by the plan of the channel, else 60 frames a second for ever
 /// (or GG_CAPTURE_FRAMES).
 
+#include "capture/size.hpp"
+
 #include <cstdint>
 #include <mutex>
 
 namespace ggrade::capture {
-
-struct Size {
-  int width;
-  int height;
-  friend bool operator==(const Size&, const Size&) = default;
-};
 
 class Run {
 public:

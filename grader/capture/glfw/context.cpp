@@ -21,8 +21,8 @@ bool requireContext(const char* action) {
 
 channel::FrameRecord describeFrame(const GLFWwindow& window, bool reachable) {
   channel::FrameRecord record{};
-  record.width = static_cast<std::uint32_t>(window.context->width());
-  record.height = static_cast<std::uint32_t>(window.context->height());
+  record.width = static_cast<std::uint32_t>(window.context->size().width);
+  record.height = static_cast<std::uint32_t>(window.context->size().height);
   record.windowDraws = window.state.use.draws;
   record.windowClears = window.state.use.clears;
   record.windowSrgb = window.state.use.srgb;
@@ -82,7 +82,7 @@ bool makeCurrent(GLFWwindow* window) {
     OsmesaContext::clearCurrent();
     return true;
   }
-  if (!window->context->makeCurrent(window->size.width, window->size.height)) return false;
+  if (!window->context->makeCurrent(window->size)) return false;
   current = window;
   current->isCurrent = true;
   setCurrentState(&window->state);
@@ -124,8 +124,7 @@ void glfwSwapBuffers(GLFWwindow* window) {
     withContext(*window, [&](bool reachable) { handOver(*window, reachable); });
   }
   window->state.use = {};
-  deliverSize(window);
-  if (library().has(window) && window->closeAsked) deliverEvents(window);
+  deliverEvents(window);
 }
 
 void glfwSwapInterval(int /*interval*/) {

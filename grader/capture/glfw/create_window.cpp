@@ -114,10 +114,11 @@ bool createContext(GLFWwindow& window, const FramebufferHints& framebuffer,
                 wanted.major, wanted.minor);
     return false;
   }
+  const Size size = window.size;
   GLFWwindow* const previous = currentWindow();
   if (!makeCurrent(&window)) {
     reportError(GLFW_PLATFORM_ERROR, "A window of %ix%i pixels is not available offscreen",
-                window.size.width, window.size.height);
+                size.width, size.height);
     window.context.reset();
     return false;
   }
@@ -161,13 +162,13 @@ GLFWwindow* glfwCreateWindow(int width, int height, const char* /*title*/, GLFWm
   window.attributes = hints.window;
   window.contextAttributes = hints.context;
   window.monitor = monitor;
-  window.asked = window.size = {width, height};
+  const Size asked{width, height};
   const bool hasContext = hints.context.client != GLFW_NO_API;
   const bool captured = hasContext && takesCapture(window);
-  if (captured) {
-    window.size = run().plannedSize(window.asked);
-    window.sizeChanged = window.size != window.asked;
-  }
+  const Size size = captured ? run().plannedSize(asked) : asked;
+  window.asked = asked;
+  window.size = size;
+  window.sizeChanged = size != asked;
   if (hasContext) {
     sayUnsupported(hints.framebuffer, hints.context);
     if (!createContext(window, hints.framebuffer, share)) return nullptr;
@@ -186,7 +187,7 @@ void glfwDestroyWindow(GLFWwindow* window) {
   if (!window) return;
   window->callbacks = {};
   if (window == currentWindow()) makeCurrent(nullptr);
-  if (window == library().captured) library().captured = nullptr;
+  if (window == library().captured.load()) library().captured = nullptr;
   std::erase_if(library().windows, [window](const auto& known) { return known.get() == window; });
 }
 

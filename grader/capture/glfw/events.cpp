@@ -6,7 +6,6 @@
 #include <cfloat>
 #include <chrono>
 #include <thread>
-#include <utility>
 
 using namespace ggrade::capture;
 
@@ -17,7 +16,7 @@ bool onMainThread() {
 }
 
 void deliverSize(GLFWwindow* window) {
-  if (!onMainThread() || !std::exchange(window->sizeChanged, false)) return;
+  if (!onMainThread() || !window->sizeChanged.exchange(false)) return;
   const Size size = window->size;
   if (const auto callback = window->callbacks.framebufferSize)
     callback(window, size.width, size.height);
@@ -28,7 +27,7 @@ void deliverSize(GLFWwindow* window) {
 void deliverEvents(GLFWwindow* window) {
   if (!onMainThread()) return;
   deliverSize(window);
-  if (!library().has(window) || !std::exchange(window->closeAsked, false)) return;
+  if (!library().has(window) || !window->closeAsked.exchange(false)) return;
   if (const auto callback = window->callbacks.close) callback(window);
 }
 
@@ -37,7 +36,7 @@ void deliverEvents(GLFWwindow* window) {
 namespace {
 
 void deliverRefresh(GLFWwindow* window) {
-  if (!library().has(window) || !std::exchange(window->needsRefresh, false)) return;
+  if (!library().has(window) || !window->needsRefresh.exchange(false)) return;
   if (const auto callback = window->callbacks.refresh) callback(window);
 }
 

@@ -9,6 +9,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <atomic>
 #include <memory>
 #include <string>
 #include <thread>
@@ -23,7 +24,7 @@ struct Library {
   Hints hints;
   std::vector<std::unique_ptr<GLFWwindow>> windows;
   std::vector<std::unique_ptr<GLFWcursor>> cursors;
-  GLFWwindow* captured = nullptr; ///< the window whose frames are handed over
+  std::atomic<GLFWwindow*> captured = nullptr; ///< the window whose frames are handed over
   std::string clipboard;
   std::thread::id mainThread;
 

@@ -18,22 +18,24 @@ struct GLFWwindow {
   ggrade::capture::WindowHints attributes;
   ggrade::capture::ContextHints contextAttributes;
 
-  ggrade::capture::Size asked{}; ///< what the program last asked for
-  ggrade::capture::Size size{};  ///< what it has; window and framebuffer are equal
+  // Shared with the thread that draws, whose swap moves the schedule on.
+  std::atomic<ggrade::capture::Size> asked{}; ///< what the program last asked for
+  std::atomic<ggrade::capture::Size> size{};  ///< what it has; window and framebuffer are equal
+  std::atomic<bool> isCurrent = false;        ///< the context, to any thread
+  std::atomic<bool> shouldClose = false;
+  // Callbacks that wait for the main thread.
+  std::atomic<bool> sizeChanged = false;
+  std::atomic<bool> closeAsked = false;
+  std::atomic<bool> needsRefresh = true;
+
   int x = 0;
   int y = 0;
   std::array<int, 4> limits{GLFW_DONT_CARE, GLFW_DONT_CARE, GLFW_DONT_CARE, GLFW_DONT_CARE};
   std::array<int, 2> aspect{GLFW_DONT_CARE, GLFW_DONT_CARE};
   float opacity = 1;
   bool iconified = false;
-  bool shouldClose = false;
   GLFWmonitor* monitor = nullptr;
   void* userPointer = nullptr;
-
-  // Callbacks that wait for the program's next look at its events.
-  bool sizeChanged = false;
-  bool needsRefresh = true;
-  bool closeAsked = false;
 
   // Input: nobody presses anything, but modes can be set and read.
   int cursorMode = GLFW_CURSOR_NORMAL;
@@ -66,7 +68,6 @@ struct GLFWwindow {
 
   std::unique_ptr<ggrade::capture::OsmesaContext> context;
   ggrade::capture::ContextState state;
-  std::atomic<bool> isCurrent = false; ///< to any thread
   std::chrono::steady_clock::time_point lastSwap;
 };
 

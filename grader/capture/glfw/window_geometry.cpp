@@ -25,15 +25,15 @@ namespace ggrade::capture {
 
 void updateSize(GLFWwindow& window) {
   const bool captured = &window == library().captured;
-  const Size size = captured ? run().plannedSize(window.asked) : window.asked;
-  if (size != window.size) {
+  const Size asked = window.asked;
+  const Size size = captured ? run().plannedSize(asked) : asked;
+  if (size != window.size.load()) {
     window.size = size;
     window.sizeChanged = true;
     window.needsRefresh = true;
   }
   // A context that another thread has takes its new size at that thread's next swap.
-  if (&window == currentWindow())
-    window.context->makeCurrent(window.size.width, window.size.height);
+  if (&window == currentWindow()) window.context->makeCurrent(size);
 }
 
 } // namespace ggrade::capture
@@ -60,8 +60,9 @@ void glfwGetWindowSize(GLFWwindow* window, int* width, int* height) {
   if (width) *width = 0;
   if (height) *height = 0;
   GG_REQUIRE_INIT();
-  if (width) *width = window->size.width;
-  if (height) *height = window->size.height;
+  const Size size = window->size;
+  if (width) *width = size.width;
+  if (height) *height = size.height;
 }
 
 void glfwGetFramebufferSize(GLFWwindow* window, int* width, int* height) {
@@ -76,13 +77,13 @@ void glfwSetWindowSize(GLFWwindow* window, int width, int height) {
   }
   const auto& [minWidth, minHeight, maxWidth, maxHeight] = window->limits;
   const auto& [aspectX, aspectY] = window->aspect;
-  window->asked = {clampTo(width, minWidth, maxWidth), clampTo(height, minHeight, maxHeight)};
+  Size asked{clampTo(width, minWidth, maxWidth), clampTo(height, minHeight, maxHeight)};
   if (aspectX > 0 && aspectY > 0) {
-    window->asked.height =
-        std::max(1, static_cast<int>(std::int64_t{window->asked.width} * aspectY / aspectX));
+    asked.height = std::max(1, static_cast<int>(std::int64_t{asked.width} * aspectY / aspectX));
   }
+  window->asked = asked;
   updateSize(*window);
-  if (window->size != window->asked)
+  if (window->size.load() != asked)
     say("glfwSetWindowSize: the schedule decides on this frame's size");
   deliverSize(window);
 }
