@@ -48,12 +48,18 @@ const char* verdictName(CompareExit verdict) {
   return "ERROR";
 }
 
+float warnLimit(const CompareArguments& a) {
+  return a.warn.value_or(1e-6f);
+}
+
 // idiff's rule: too many pixels over the threshold, or one over the hard limit.
 CompareExit verdict(const CompareArguments& a, const ErrorStatistics& s, std::size_t pixels) {
   const auto beyond = [&](std::size_t over, double percent, double hard) {
     return double(over) > percent / 100 * double(pixels) || s.maxError > hard;
   };
   if (beyond(s.failPixels, a.failPercent, a.hardFail)) return CompareExit::failure;
+  const bool onlyTiny = !a.warn && s.failPixels == 0 && s.maxError <= a.hardWarn;
+  if (onlyTiny) return CompareExit::same;
   if (beyond(s.warnPixels, a.warnPercent, a.hardWarn)) return CompareExit::warning;
   return CompareExit::same;
 }
@@ -92,7 +98,7 @@ Findings compareFiles(const CompareArguments& a, const FileImage& image,
   found.comparable = true;
   found.pixels = reference.image.pixelCount();
   found.channels = reference.image.channels();
-  found.statistics = errorStatistics(image.image, reference.image, a.fail, a.warn);
+  found.statistics = errorStatistics(image.image, reference.image, a.fail, warnLimit(a));
   found.structural = ssim(image.image, reference.image);
   CompareOptions options = a.tolerant;
   if (options.channels == 0) options.channels = std::min(3, found.channels);
@@ -156,7 +162,7 @@ void printNumbers(std::ostream& out, const CompareArguments& a, const Findings& 
     line("  %zu pixels (%.3g%%) over %g", pixels, 100 * double(pixels) / double(found.pixels),
          limit);
   };
-  over(s.warnPixels, double(a.warn));
+  over(s.warnPixels, double(warnLimit(a)));
   over(s.failPixels, double(a.fail));
   line("  As grades compare (tolerance %.4g, radius %d, %d of %d channels):",
        double(a.tolerant.tolerance), a.tolerant.radius, found.judgedChannels, found.channels);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <iosfwd>
 #include <limits>
+#include <optional>
 
 namespace ggrade::cli {
 
@@ -26,7 +27,10 @@ struct CompareArguments {
   float fail = 1e-6f;     ///< a pixel fails above this difference in any channel
   double failPercent = 0; ///< so many percent of the pixels may fail
   double hardFail = std::numeric_limits<double>::infinity(); ///< no pixel may differ by more
-  float warn = 1e-6f;
+  /// Likewise for a warning. Not given: 1e-6, but nothing warns unless some pixel is over `fail`,
+  /// as in idiff 2.4 (which goes on to ignore a warning's and the hard limits that are given; here
+  /// they hold).
+  std::optional<float> warn;
   double warnPercent = 0;
   double hardWarn = std::numeric_limits<double>::infinity();
   std::filesystem::path out; ///< difference image to write; empty: none

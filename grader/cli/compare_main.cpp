@@ -73,7 +73,8 @@ void addOptions(CLI::App& app, CompareArguments& a) {
   limit("--fail", a.fail, "a pixel fails if a channel differs by more (default 1e-06)");
   limit("--failpercent", a.failPercent, "percent of the pixels that may fail (default 0)");
   limit("--hardfail", a.hardFail, "fail if any pixel differs by more (default: no limit)");
-  limit("--warn", a.warn, "a pixel warns if a channel differs by more (default 1e-06)");
+  limit("--warn", a.warn,
+        "a pixel warns if a channel differs by more (default 1e-06 if any is over --fail)");
   limit("--warnpercent", a.warnPercent, "percent of the pixels that may warn (default 0)");
   limit("--hardwarn", a.hardWarn, "warn if any pixel differs by more (default: no limit)");
 

@@ -106,7 +106,11 @@ TEST_F(CompareCommand, FollowsTheLimitsOfIdiff) {
     return run("grey.png dot.png -q " + limits).exitCode;
   };
   EXPECT_EQ(exitCode("-fail 0.5 -warn 0.5"), 0);
-  EXPECT_EQ(exitCode("--fail 0.5"), 1);
+  EXPECT_EQ(exitCode("--fail 0.5"), 0);
+  EXPECT_EQ(exitCode("--fail 0.5 --warn 0.3"), 1);
+  EXPECT_EQ(exitCode("--fail 0.5 -hardwarn 0.3"), 1);
+  EXPECT_EQ(exitCode("--fail 0.5 -hardfail 0.3"), 2);
+  EXPECT_EQ(exitCode("-failpercent 1"), 1); // within the limit, but over the default warning
   EXPECT_EQ(exitCode("-fail=0.5 -warn=0.5"), 0);
   EXPECT_EQ(exitCode("-fail 0.3"), 2);
   EXPECT_EQ(exitCode("-failpercent 1 -warnpercent 1"), 0); // exactly 1% of the pixels
@@ -119,7 +123,7 @@ TEST_F(CompareCommand, FollowsTheLimitsOfIdiff) {
 
 TEST_F(CompareCommand, QuietSaysOnlyWhatIsWrong) {
   EXPECT_EQ(run("-q grey.png dot.png").out, "FAILURE\n");
-  EXPECT_EQ(run("-q grey.png dot.png -fail 1").out, "WARNING\n");
+  EXPECT_EQ(run("-q grey.png dot.png -fail 1 -warn 0.1").out, "WARNING\n");
   const Ended same = run("-q grey.png grey.png");
   EXPECT_EQ(same.out, "");
   EXPECT_EQ(same.errors, "");
