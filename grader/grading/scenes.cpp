@@ -93,6 +93,7 @@ ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder,
     ScenePlan plan;
     plan.seed = seed ? *seed : from.at("seed").get<std::uint64_t>();
     const json base = partScene(target);
+    const json probes = from.value("probes", json::object());
     std::uint64_t index = 0;
     for (const json& declared : from.at("scenes")) {
       // A generator of its own for every scene: adding one leaves the others as they were.
@@ -109,7 +110,7 @@ ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder,
       one.times = drawer.draw(declared.at("times")).get<std::vector<double>>();
       one.scene = base;
       one.scene.merge_patch(drawer.draw(declared.value("scene", json::object())));
-      for (const auto& [name, patch] : from.value("probes", json::object()).items()) {
+      for (const auto& [name, patch] : probes.items()) {
         json probe = one.scene;
         probe.merge_patch(patch);
         one.probes[name] = probe;
