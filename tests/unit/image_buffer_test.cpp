@@ -106,6 +106,11 @@ TEST(ErrorStatistics, CountsAPixelOnceAndNamesTheWorstPlace) {
   EXPECT_DOUBLE_EQ(s.meanError, (0.25 + 0.75 + 0.25) / 36);
 }
 
+TEST(ErrorStatistics, PeakIsTheLargestValueAboveOne) {
+  const auto s = errorStatistics(Image(2, 2, 1, 100.0f), Image(2, 2, 1, 100.5f));
+  EXPECT_NEAR(s.psnr, 46.0639, 1e-4); // 20 log10(100.5 / 0.5)
+}
+
 TEST(ErrorStatistics, IdenticalImagesHaveInfinitePsnr) {
   const Image a(3, 3, 3, 0.7f);
   EXPECT_EQ(errorStatistics(a, a).maxError, 0);

@@ -38,6 +38,14 @@ TEST(DensestWindow, PrefersTheDenserOfTwoPlaces) {
   EXPECT_EQ(densestWindow(mask, 32).middleY, 80);
 }
 
+TEST(DensestWindow, AmongEqualsIsTheFirstInRowOrder) {
+  Mask mask(100, 100);
+  mask.set(80, 20);
+  mask.set(10, 70);
+  EXPECT_EQ(densestWindow(mask, 8).middleX, 80);
+  EXPECT_EQ(densestWindow(mask, 8).middleY, 20);
+}
+
 TEST(DensestWindow, FindsTheMaximumOfRandomMasks) {
   std::mt19937 random(5);
   for (int round = 0; round < 20; ++round) {
