@@ -20,7 +20,9 @@ void printOnce(const std::string& text) {
 
 bool sinkInstalled = false;
 
-bool matters(GLenum type, GLenum severity) {
+bool matters(GLenum source, GLenum type, GLenum severity) {
+  // Program says the same with the file's own name and line.
+  if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return false;
   switch (type) {
   case GL_DEBUG_TYPE_ERROR:
   case GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR:
@@ -33,9 +35,9 @@ bool matters(GLenum type, GLenum severity) {
   }
 }
 
-void GLAD_API_PTR receive(GLenum, GLenum type, GLuint, GLenum severity, GLsizei length,
+void GLAD_API_PTR receive(GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length,
                           const GLchar* message, const void*) {
-  if (!matters(type, severity)) return;
+  if (!matters(source, type, severity)) return;
   std::string text =
       length < 0 ? std::string(message) : std::string(message, static_cast<std::size_t>(length));
   while (!text.empty() && (text.back() == '\n' || text.back() == '\0')) text.pop_back();

@@ -10,9 +10,10 @@ namespace gg::detail {
 namespace {
 
 struct Diagnosis {
-  int line = 0;     // as #line numbers it
-  int column = 0;   // from 1; 0 if unknown
-  std::string kind; // error or warning
+  int line = 0;           // as #line numbers it
+  int column = 0;         // from 1; 0 if unknown
+  bool collapsed = false; // the column counts each run of blanks as one
+  std::string kind;       // error or warning
   std::string message;
 };
 
@@ -37,11 +38,23 @@ std::optional<Diagnosis> parse(const std::string& line) {
     return digits.size() < 9 ? std::stoi(digits) : 0;
   };
   if (std::regex_match(line, match, mesa))
-    return Diagnosis{number(1), number(2), match[3], match[4]};
-  if (std::regex_match(line, match, nvidia)) return Diagnosis{number(1), 0, match[2], match[3]};
+    return Diagnosis{number(1), number(2), true, match[3], match[4]};
+  if (std::regex_match(line, match, nvidia))
+    return Diagnosis{number(1), 0, false, match[2], match[3]};
   if (std::regex_match(line, match, others))
-    return Diagnosis{number(2), 0, lower(match[1]), match[3]};
+    return Diagnosis{number(2), 0, false, lower(match[1]), match[3]};
   return {};
+}
+
+// Mesa's preprocessor makes one space of each run of blanks before the compiler counts columns.
+int originalColumn(const std::string& line, int column) {
+  const auto isBlank = [&](std::size_t i) { return line[i] == ' ' || line[i] == '\t'; };
+  std::size_t at = 0;
+  for (int counted = 1; counted < column && at < line.size(); ++counted) {
+    if (!isBlank(at++)) continue;
+    while (at < line.size() && isBlank(at)) ++at;
+  }
+  return static_cast<int>(at) + 1;
 }
 
 // The spaces that bring a caret under the column: tabs stay tabs, so that it lines up.
@@ -59,14 +72,15 @@ std::string describe(const Diagnosis& diagnosis, const ShaderSource& source) {
     return fmt::format("{}: {}\n", diagnosis.kind, diagnosis.message);
 
   const ShaderFile& where = source.files[file];
+  const bool isLine = line >= 1 && line <= where.lines.size();
+  const std::string written = isLine ? where.lines[line - 1] : "";
+  const int column =
+      diagnosis.collapsed && isLine ? originalColumn(written, diagnosis.column) : diagnosis.column;
   std::string text = fmt::format("{}:{}", where.name, line);
-  if (diagnosis.column > 0) text += fmt::format(":{}", diagnosis.column);
+  if (column > 0) text += fmt::format(":{}", column);
   text += fmt::format(": {}: {}\n", diagnosis.kind, diagnosis.message);
-  if (line >= 1 && line <= where.lines.size()) {
-    const std::string& written = where.lines[line - 1];
-    text += written + "\n";
-    if (diagnosis.column > 0) text += indent(written, diagnosis.column) + "^\n";
-  }
+  if (isLine) text += written + "\n";
+  if (isLine && column > 0) text += indent(written, column) + "^\n";
   return text;
 }
 

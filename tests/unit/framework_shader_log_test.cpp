@@ -19,6 +19,13 @@ TEST(ShaderLog, MesaGivesFileLineColumnAndCaret) {
             "\t         ^\n");
 }
 
+TEST(ShaderLog, MesaCountsARunOfBlanksAsOneColumn) {
+  const ShaderSource source{"", {{"a.frag", {"    a  =  \t b;"}}}};
+  EXPECT_EQ(translateLog("0:1(6): error: x\n", source), "a.frag:1:13: error: x\n"
+                                                        "    a  =  \t b;\n"
+                                                        "          \t ^\n");
+}
+
 TEST(ShaderLog, NumbersOfAnIncludedFileLeadToIt) {
   EXPECT_EQ(translateLog("0:10001(11): error: `y' undeclared\n", kSource),
             "b.glsl:1:11: error: `y' undeclared\n"
