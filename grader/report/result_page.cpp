@@ -77,23 +77,20 @@ Data heroOf(const Result& result, const Audience& audience) {
                            ? scene.frames[0]
                            : result.scenes[worst.scene].frames[worst.frame];
   Data hero, pictures = makeList();
-  const auto add = [&](const Image& image, int width, const std::string& caption) {
+  const auto add = [&](const Image& image, int width, const std::string& caption,
+                       const std::string& alt) {
     if (image.empty()) return;
     Data picture;
     picture["uri"] = Data(pngDataUri(thumbnail(image, width, width)));
     picture["caption"] = Data(caption);
-    picture["alt"] = Data("");
+    picture["alt"] = Data(alt);
     picture["sceneAnchor"] = Data(sceneAnchor(result, scene.name));
     pictures << picture;
   };
   const std::string moment =
       fmt::format("{}, {} s", sanitizeLine(scene.name, 40), number(frame.time, 3));
-  if (whole) {
-    add(frame.student, 360, moment);
-  } else {
-    add(frame.student, 180, (audience.instructor ? "submission: " : "yours: ") + moment);
-    add(frame.reference, 180, "reference");
-  }
+  add(frame.student, whole ? 360 : 180, moment, audience.who() + ":");
+  if (!whole) add(frame.reference, 180, "reference", "");
   hero["pictures"] = std::move(pictures);
   return hero;
 }

@@ -174,6 +174,7 @@ Data sceneOf(const Result& result, std::size_t index, const Pictures& pictures,
   data["width"] = Data(std::to_string(width));
   data["middle"] = Data(std::to_string(width / 2));
   data["hasLosses"] = Data(!losses.empty());
+  data["allHolds"] = Data(look.state == "full" && shown);
   data["losses"] = lossData(result, losses);
   data["hasMessages"] = Data(!scene.messages.empty());
   data["messages"] = linesOf(scene.messages);
