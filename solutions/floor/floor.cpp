@@ -133,9 +133,8 @@ void app(const gg::Scene& scene) {
 
       // TODO(mirror.2): draw into the framebuffer object instead of the window.
       //   Given:  `reflection`.
-      //   Do:     bind its framebuffer, set the viewport to its size, clear colour and depth;
-      //   below,
-      //           at the end of the pass, bind the window (0) and set the window's viewport again.
+      //   Do:     bind its framebuffer, set the viewport to its size, clear colour and depth.
+      //           Below, at the end of the pass: bind the window (0), set its viewport again.
       //   Expect: the picture still doesn't change.                   (handout: step 2)
       // BEGIN SOLUTION(mirror.2)
       glBindFramebuffer(GL_FRAMEBUFFER, reflection.framebuffer);

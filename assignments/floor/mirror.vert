@@ -1,0 +1,23 @@
+#version 410 core
+// The objects as the floor sees them: `uView` is the mirrored view.
+
+uniform mat4 uProjection; // clip from eye
+uniform mat4 uView;       // mirrored eye from world
+uniform mat4 uModel;      // world from model
+uniform mat3 uNormal;     // eye from model, for normals: its sign turns with the mirror
+
+layout(location = 0) in vec4 aPosition;
+layout(location = 1) in vec3 aNormal;
+
+out vec3 vPosition; // mirrored eye space
+out vec3 vNormal;   // mirrored eye space
+
+void main() {
+  vec4 world = uModel * aPosition;
+  vec4 position = uView * world;
+  vPosition = position.xyz;
+  vNormal = uNormal * aNormal;
+  // TODO(mirror.5): the mirror has turned the normal inside: negate it.
+  gl_Position = uProjection * position;
+  // TODO(mirror.6): gl_ClipDistance[0] is the signed distance from the floor; negative is cut away.
+}

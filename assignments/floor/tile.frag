@@ -1,0 +1,35 @@
+#version 410 core
+// The chequered floor and what it reflects.
+
+#include "gg/lighting.glsl"
+
+const vec3 kLightTile = vec3(0.9, 0.9, 0.9);
+const vec3 kDarkTile = vec3(0.6, 0.7, 0.8);
+
+uniform float uTilesPerUnit;
+uniform vec2 uViewport;        // pixels of the window
+uniform bool uMirror;          // is there a reflection to show?
+uniform sampler2D uReflection; // what the pass "mirror" drew
+uniform float uBlurSigma;      // standard deviation of the blur, in window heights; 0 is sharp
+uniform int uBlurSamples;
+
+in vec3 vPosition; // eye space
+in vec3 vNormal;   // eye space
+in vec2 vGround;   // world x and z
+
+layout(location = 0) out vec4 oColor;
+
+void main() {
+  vec2 tile = floor(vGround * uTilesPerUnit);
+  vec3 albedo = mix(kLightTile, kDarkTile, mod(tile.x + tile.y, 2));
+  Lit lit = blinnPhong(vPosition, normalize(vNormal));
+  vec3 color = (lit.ambient + lit.diffuse) * albedo + lit.specular;
+
+  vec3 reflected = vec3(0);
+  if (uMirror) {
+    // TODO(mirror.3): `reflected` is the reflection under this pixel of the window. The mirrored
+    //   objects were drawn with the same projection: gl_FragCoord.xy / uViewport finds them.
+    // TODO(mirror.7): bonus: if uBlurSigma > 0, the Gaussian average over uBlurSamples samples.
+  }
+  oColor = vec4(color + uMaterial.specular.rgb * reflected, 1);
+}
