@@ -44,10 +44,11 @@ private:
 };
 
 void check(const Mount& mount) {
-  if (!mount.inside.is_absolute() || mount.inside.lexically_normal() != mount.inside)
+  if (!mount.inside.is_absolute() || mount.inside.lexically_normal() != mount.inside ||
+      !mount.inside.has_filename())
     throw std::runtime_error("mount point " + mount.inside.string() +
                              " is not a plain absolute path");
-  for (const char* taken : {"/", "/usr", "/etc", "/proc", "/dev", "/run", "/scratch", "/tmp"})
+  for (const char* taken : {"/usr", "/etc", "/proc", "/dev", "/run", "/scratch", "/tmp"})
     if (mount.inside == taken)
       throw std::runtime_error("mount point " + mount.inside.string() + " is the sandbox's own");
   std::error_code error;

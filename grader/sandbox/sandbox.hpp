@@ -15,20 +15,29 @@ namespace ggrade::sandbox {
 /// How much separation a run gets.
 enum class Isolation {
   bwrap, ///< bubblewrap, an unused uid as root, seccomp, limits
-  none   ///< limits only; for trusted programs (our own references), said in every result
+  /// Limits only, for trusted programs (our own references), said in every result. The command sees
+  /// the host as it is: `mounts` must have equal paths inside and outside, `privateCopies` are
+  /// refused, `workingDirectory` must exist, `processes` and `scratchBytes` do not hold. Nothing
+  /// outlives the run.
+  none
 };
 
-/// A file or folder of the host that the command sees, read-only.
+/// A file or folder of the host that the command sees, read-only. Mounts inside a mounted folder do
+/// not come with it. As root the files must be readable for everybody, the folders above need not
+/// be.
 struct Mount {
   std::filesystem::path host;
-  std::filesystem::path inside; ///< absolute
+  std::filesystem::path inside; ///< absolute; not one of the sandbox's own folders
 };
 
-/// All limits hold for the command and everything that it starts, together.
+/// All limits hold for the command and everything that it starts, together, unless a comment says
+/// otherwise. Memory and processor time are measured every 20 ms (memory every 5 ms above half of
+/// its limit), so a run can overshoot by what it gets done in that time.
 struct Limits {
   double wallSeconds = 10;
-  double cpuSeconds = 20;
-  std::uint64_t memoryBytes = 1536ull << 20;       ///< resident memory of the whole tree
+  double cpuSeconds = 20; ///< children that nobody waits for count only while they live
+  std::uint64_t memoryBytes = 1536ull
+                              << 20; ///< private memory, page tables, swap and files in memory
   std::uint64_t addressSpaceBytes = 4096ull << 20; ///< a process (RLIMIT_AS)
   std::uint64_t fileBytes = 64ull << 20;           ///< largest file (RLIMIT_FSIZE)
   std::uint64_t scratchBytes = 64ull << 20;        ///< size of each writable tmpfs
@@ -37,9 +46,12 @@ struct Limits {
       1ull << 20; ///< kept of stdout and of stderr, each; the rest is read and dropped
 };
 
-/// What to run. The command starts with an empty environment but for `environment`, in `/scratch`
-/// (a private tmpfs) unless `workingDirectory` says otherwise. Besides `mounts` it sees /usr
-/// (read-only), a minimal /etc, /dev and /proc of its own, and nothing else of the host.
+/// What to run. The command starts with `environment` alone, standard input at its end, in
+/// `/scratch` (a private tmpfs) unless `workingDirectory` says otherwise. Besides `mounts` it sees,
+/// read-only, the parts of /usr that packages install (not /usr/local and /usr/src), the loader's
+/// cache in /etc, four harmless devices, and a /proc of its own; writable are /scratch, /tmp and
+/// the private copies. There is no /dev/shm, and shared anonymous memory, memfd_create and sockets
+/// are refused.
 struct Command {
   std::vector<std::string> arguments; ///< arguments[0] is an absolute path inside
   std::vector<std::pair<std::string, std::string>> environment;
@@ -47,17 +59,20 @@ struct Command {
   std::vector<Mount>
       privateCopies; ///< folders copied into a tmpfs of the run's own, writable, discarded
   std::filesystem::path workingDirectory = "/scratch";
-  int inheritedDescriptor = -1; ///< kept open, same number, in the command (the capture channel)
-  /// After a successful exit this file inside is written to `collectInto` on the host, capped by
+  /// Kept open, same number (3 or more), in the command: the capture channel. What is written
+  /// through it is not counted, so seal the file's size (F_SEAL_GROW, F_SEAL_SHRINK, F_SEAL_SEAL).
+  int inheritedDescriptor = -1;
+  /// After exit code 0 this regular file inside, reached through no symbolic link, is written to
+  /// `collectInto` on the host (mode 0755 if executable, else 0644), if it has at most
   /// `limits.fileBytes`. Empty: nothing is collected.
   std::filesystem::path collect;
-  std::filesystem::path collectInto;
+  std::filesystem::path collectInto; ///< replaced in one step; untouched when nothing is collected
   Limits limits;
 };
 
 /// How a run ended. Exactly one holds.
 enum class End {
-  exited,      ///< `exitCode` says how
+  exited,      ///< `exitCode` says how; 126 without a start if the system cannot execute the file
   signalled,   ///< `signal` says which
   timeLimit,   ///< wall or CPU time
   memoryLimit, ///< the tree's memory
@@ -71,7 +86,8 @@ struct Result {
   int signal = 0;
   double wallSeconds = 0;
   double cpuSeconds = 0;
-  std::uint64_t peakMemoryBytes = 0;
+  std::uint64_t peakMemoryBytes =
+      0;                      ///< highest value measured; 0 for runs shorter than a measurement
   std::string standardOutput; ///< raw bytes, capped
   std::string standardError;  ///< raw bytes, capped
   bool outputTruncated = false;
@@ -84,8 +100,8 @@ struct Result {
 /// the whole tree is killed within 0.1 s and the result says `interrupted`.
 Result run(const Command& command, Isolation isolation, const std::atomic<bool>* cancel = nullptr);
 
-/// Tries the sandbox once. Empty when it holds; otherwise one sentence with the remedy
-/// (for example: AppArmor on Ubuntu 24.04 stops bwrap).
+/// Tries the sandbox once, and a few escapes from it (6 ms). Empty when it holds; otherwise one
+/// sentence with the remedy (for example: AppArmor on Ubuntu 24.04 stops bwrap).
 std::optional<std::string> unavailable();
 
 } // namespace ggrade::sandbox

@@ -6,6 +6,8 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <sched.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -119,6 +121,35 @@ TEST_P(SandboxEnds, AFileThatCannotBeExecutedIsNotOurFault) {
   EXPECT_EQ(result.end, End::exited) << describe(result);
   EXPECT_EQ(result.exitCode, 126);
   EXPECT_EQ(result.detail, "cannot execute /attack/data/program: Exec format error");
+}
+
+// In a user namespace of its own, whose settings hurt nobody.
+TEST(SandboxUnavailable, SaysWhyWithTheRemedy) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs root";
+  int ready[2], go[2], answer[2];
+  ASSERT_EQ(pipe(ready) | pipe(go) | pipe(answer), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    char byte = 0;
+    if (unshare(CLONE_NEWUSER) != 0 || write(ready[1], "x", 1) != 1 || read(go[0], &byte, 1) != 1)
+      _exit(1);
+    std::string text = unavailable().value_or("available") + "; ";
+    std::ofstream("/proc/sys/user/max_user_namespaces") << 0;
+    text += unavailable().value_or("available");
+    (void)!write(answer[1], text.data(), text.size());
+    _exit(0);
+  }
+  char byte = 0;
+  ASSERT_EQ(read(ready[0], &byte, 1), 1);
+  for (const char* map : {"uid_map", "gid_map"})
+    std::ofstream("/proc/" + std::to_string(child) + "/" + map) << "0 0 65536";
+  ASSERT_EQ(write(go[1], "x", 1), 1);
+  std::string text(1000, '\0');
+  text.resize(static_cast<std::size_t>(read(answer[0], text.data(), text.size())));
+  waitpid(child, nullptr, 0);
+  EXPECT_EQ(text,
+            "available; user namespaces are off. Remedy: sysctl user.max_user_namespaces=10000");
+  for (const int end : {ready[0], ready[1], go[0], go[1], answer[0], answer[1]}) close(end);
 }
 
 SANDBOX_SUITE(SandboxNone);

@@ -19,18 +19,24 @@ void expectMemoryLimit(const Result& result) {
   EXPECT_GT(result.peakMemoryBytes, 100 * kMegabyte);
   // Caught soon enough that it cannot hurt the host.
   EXPECT_LT(result.peakMemoryBytes, 500 * kMegabyte);
-  EXPECT_LT(result.wallSeconds, 1.9);
+  EXPECT_LT(result.wallSeconds, 9);
+}
+/// With time enough to meet the memory limit on a busy machine too.
+Command unhurried(Command command) {
+  command.limits.wallSeconds = 10;
+  command.limits.cpuSeconds = 10;
+  return command;
 }
 } // namespace
 
 TEST_P(SandboxMemory, OneProcess) {
   if (delegated()) return;
-  expectMemoryLimit(run(attack("plain")));
+  expectMemoryLimit(run(unhurried(attack("plain"))));
 }
 
 TEST_P(SandboxMemory, ManySmallProcesses) {
   if (delegated()) return;
-  expectMemoryLimit(run(attack("many", {"15", "10"})));
+  expectMemoryLimit(run(unhurried(attack("many", {"15", "10"}))));
 }
 
 TEST_P(SandboxMemory, ProcessesBelowTheLimitLive) {
@@ -47,7 +53,7 @@ TEST_P(SandboxMemory, FilesAndHeapTogether) {
   Command command = attack("fill", {"/scratch", "75"});
   EXPECT_EQ(run(command).end, End::timeLimit);
   command.limits.scratchBytes = 40 << 20;
-  expectMemoryLimit(run(command));
+  expectMemoryLimit(run(unhurried(command)));
 }
 
 TEST_P(SandboxMemory, EmptyFiles) {
@@ -111,7 +117,7 @@ TEST_P(SandboxMemory, EndlessOutputMeetsTheTimeLimit) {
   if (delegated()) return;
   const Result result = run(attack("flood", {"100000000"}));
   EXPECT_EQ(result.end, End::timeLimit) << describe(result);
-  EXPECT_LT(result.wallSeconds, 2.5);
+  EXPECT_LT(result.wallSeconds, 4);
   EXPECT_EQ(result.standardOutput.size(), 64u << 10);
 }
 
