@@ -71,7 +71,7 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
     regions.borders =
         meeting & erode(dilate(regions.reflection, 2) | regions.objects, 2) & regions.floor;
     regions.clipped = differenceMask(scene.reference.at(frame),
-                                     scene.probes.at("unclipped").at(frame), kTolerance) &
+                                     scene.probes.at("unclipped").at(frame), 0.5f / 255) &
                       regions.floor;
   }
   return regions;
@@ -123,7 +123,6 @@ Coverage coverage(const View& view, std::size_t frame) {
 Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what) {
   CompareOptions options;
   options.mask = &region;
-  if (region.count() == 0) return {1, what + ": nothing to see in this scene"};
   const Comparison comparison =
       compare(view.frames.at(frame), view.scene.reference.at(frame), options);
   const double quality = std::max(0.0, 1 - comparison.wrongShare / kNothingLeft);
@@ -131,6 +130,11 @@ Verdict within(const View& view, std::size_t frame, const Mask& region, const st
                                100 * comparison.wrongShare, comparison.judgedPixels,
                                comparison.densest.x + comparison.densest.width / 2,
                                comparison.densest.y + comparison.densest.height / 2)};
+}
+
+/// A region so small that a frame can't show the item.
+bool tooSmall(const Mask& region) {
+  return region.count() < 50;
 }
 
 /// The worst of the frames.
@@ -160,61 +164,48 @@ GGRADE_ITEM("mirror.shading", [](const View& view) {
   });
 });
 
-/// Normalised correlation of two frames' added light on the floor, the second moved by (dx, dy).
-double correlation(const Image& a, const Image& b, const Image& plain, const Mask& floor, int dx,
-                   int dy) {
-  double n = 0, sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
-  for (int y = 0; y < a.height(); ++y) {
-    const int fy = y + dy;
-    if (fy < 0 || fy >= a.height()) continue;
-    for (int x = 0; x < a.width(); ++x) {
-      const int fx = x + dx;
-      if (fx < 0 || fx >= a.width() || !floor.at(x, y) || !floor.at(fx, fy)) continue;
-      double va = 0, vb = 0;
+/// Share of the reflection's pixels where the light that a frame adds to the floor has the hue of
+/// the object that is reflected there, to 8 degrees of angle between the colours. Brightness
+/// doesn't count.
+double hueAgrees(const View& view, std::size_t frame, const Image& image) {
+  static const float kCosine = std::cos(8 * 3.14159265f / 180);
+  const Image& plain = view.scene.probes.at("plain").at(frame);
+  const Image& flat = view.scene.probes.at("reflections").at(frame);
+  const Mask region = erode(regionsOf(view.scene, frame).reflection, 1);
+  std::size_t agree = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      if (!region.at(x, y)) continue;
+      float dot = 0, added = 0, own = 0;
       for (int c = 0; c < 3; ++c) {
-        va += a.at(x, y, c) - plain.at(x, y, c);
-        vb += b.at(fx, fy, c) - plain.at(fx, fy, c);
+        const float light = image.at(x, y, c) - plain.at(x, y, c);
+        dot += light * flat.at(x, y, c);
+        added += light * light;
+        own += flat.at(x, y, c) * flat.at(x, y, c);
       }
-      n += 1, sa += va, sb += vb, saa += va * va, sbb += vb * vb, sab += va * vb;
+      agree += dot > kCosine * std::sqrt(added * own) && added > 1e-5f;
     }
   }
-  if (n == 0) return 0;
-  const double varianceA = saa - sa * sa / n, varianceB = sbb - sb * sb / n;
-  // Light that is the same everywhere has no place.
-  if (varianceA < 1e-4 * n || varianceB < 1e-4 * n) return 0;
-  return (sab - sa * sb / n) / std::sqrt(varianceA * varianceB);
+  return double(agree) / double(std::max<std::size_t>(region.count(), 1));
 }
 
 GGRADE_ITEM("mirror.position", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
-    const Image& plain = view.scene.probes.at("plain").at(i);
-    const Image& reference = view.scene.reference.at(i);
-    const Mask& floor = regionsOf(view.scene, i).floor;
-    const double here = correlation(reference, view.frames.at(i), plain, floor, 0, 0);
-    const double quality = std::clamp((here - 0.5) / 0.45, 0.0, 1.0);
-    if (quality == 1)
-      return {1, fmt::format("the added light agrees in place (correlation {:.2f})", here)};
-    double best = here;
-    int bx = 0, by = 0;
-    for (int dy = -24; dy <= 24; dy += 4) {
-      for (int dx = -24; dx <= 24; dx += 4) {
-        const double moved = correlation(reference, view.frames.at(i), plain, floor, dx, dy);
-        if (moved > best + 0.02) best = moved, bx = dx, by = dy;
-      }
-    }
-    std::string message =
-        fmt::format("the added light agrees badly in place (correlation {:.2f} of 1)", here);
-    if (best > 0.6 && (bx || by))
-      message += fmt::format("; moved by about ({},{}) pixels it would agree better ({:.2f})", -bx,
-                             by, best);
-    return {quality, message};
+    // Highlights are white in the reference, too: its own share is what can be had.
+    const double reachable = hueAgrees(view, i, view.scene.reference.at(i));
+    const double share = hueAgrees(view, i, view.frames.at(i)) / std::max(reachable, 0.01);
+    return {
+        std::clamp((share - 0.5) / 0.45, 0.0, 1.0),
+        fmt::format("{:.0f}% of the reflection shows the colour of the object that belongs there",
+                    100 * std::min(share, 1.0))};
   });
 });
 
 GGRADE_ITEM("mirror.hidden", [](const View& view) {
-  return worstFrame(view, [&](std::size_t i) {
-    Verdict verdict =
-        within(view, i, regionsOf(view.scene, i).borders, "where one thing hides another");
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Mask& region = regionsOf(view.scene, i).borders;
+    if (tooSmall(region)) return {1, "nothing to see in this frame"};
+    Verdict verdict = within(view, i, region, "where one thing hides another");
     // Nothing is hidden rightly by a reflection that isn't there.
     verdict.quality *= coverage(view, i).quality;
     return verdict;
@@ -222,9 +213,10 @@ GGRADE_ITEM("mirror.hidden", [](const View& view) {
 });
 
 GGRADE_ITEM("mirror.clip", [](const View& view) {
-  return worstFrame(view, [&](std::size_t i) {
-    Verdict verdict =
-        within(view, i, regionsOf(view.scene, i).clipped, "where a sunken object must be cut off");
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Mask& region = regionsOf(view.scene, i).clipped;
+    if (tooSmall(region)) return {1, "nothing to see in this frame"};
+    Verdict verdict = within(view, i, region, "where a sunken object must be cut off");
     verdict.quality *= coverage(view, i).quality;
     return verdict;
   });
