@@ -96,6 +96,7 @@ Image decodePng(std::span<const unsigned char> bytes) {
 
   std::vector<unsigned char> pixels(reader.rowBytes() * std::size_t(reader.height()));
   std::vector<png_bytep> rows;
+  rows.reserve(std::size_t(reader.height()));
   for (int y = 0; y < reader.height(); ++y)
     rows.push_back(pixels.data() + std::size_t(y) * reader.rowBytes());
   if (!reader.readRows(rows.data())) throw std::runtime_error("broken PNG: " + reader.error());

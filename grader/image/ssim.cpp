@@ -19,7 +19,7 @@ std::vector<double> gaussian(int side) {
   std::vector<double> weights(std::size_t(std::max(size, 1)));
   double sum = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    const double d = double(i) - double(weights.size() / 2);
+    const double d = double(i) - double(weights.size() - 1) / 2;
     sum += weights[i] = std::exp(-d * d / (2 * kSigma * kSigma));
   }
   for (double& weight : weights) weight /= sum;
