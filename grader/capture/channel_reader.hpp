@@ -50,7 +50,7 @@ struct Capture {
 
 /// Pixels of the largest frame that is accepted from a program that chooses its window's size
 /// itself.
-inline constexpr std::uint64_t kDefaultMaxPixels = 1920 * 1080;
+inline constexpr std::uint64_t kDefaultMaxPixels = std::uint64_t{1920} * 1080;
 
 /// Owns the shared memory file.
 class Channel {

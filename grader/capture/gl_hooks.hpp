@@ -29,7 +29,7 @@ struct Hook {
   ::ggrade::capture::Hook {                                                                        \
 #name, reinterpret_cast < ::ggrade::capture::GlFunction>(hook),                                \
         [](::ggrade::capture::GlFunction                                                           \
-               function) { next = reinterpret_cast<decltype(next)>(function); }                    \
+               function) { (next) = reinterpret_cast<decltype(next)>(function); }                  \
   }
 
 /// The outermost hook of `name`, or null. A name that OSMesa lacks has only hooks without a `next`.

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#define GL_GLEXT_PROTOTYPES
+#include <GL/glext.h>
 #include <GLFW/glfw3.h>
 
 #include <cstdio>
@@ -82,6 +84,24 @@ TEST_F(CaptureWindow, KeepsItsDrawBufferAndBindingsWhenResized) {
   EXPECT_EQ(buffer, GL_NONE);
   glGetIntegerv(GL_READ_BUFFER, &buffer);
   EXPECT_EQ(buffer, GL_BACK);
+}
+
+TEST_F(CaptureWindow, KeepsItsDrawBufferWhenResizedBehindAFramebufferObject) {
+  GLuint framebuffer = 0;
+  glGenFramebuffers(1, &framebuffer);
+  glDrawBuffer(GL_NONE);
+  glReadBuffer(GL_NONE);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glfwSetWindowSize(window_, 20, 30);
+  GLint value = -1;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &value);
+  EXPECT_EQ(value, static_cast<GLint>(framebuffer));
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glGetIntegerv(GL_DRAW_BUFFER, &value);
+  EXPECT_EQ(value, GL_NONE);
+  glGetIntegerv(GL_READ_BUFFER, &value);
+  EXPECT_EQ(value, GL_NONE);
+  EXPECT_EQ(glGetError(), unsigned{GL_NO_ERROR});
 }
 
 TEST_F(CaptureWindow, KeepsWithinItsLimits) {
