@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #define GL_GLEXT_PROTOTYPES
-#include <GL/glext.h>
+#define GLFW_INCLUDE_GLEXT
 #include <GLFW/glfw3.h>
 
 #include <cstdio>
