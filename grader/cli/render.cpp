@@ -143,7 +143,8 @@ void render(const Options& options) {
     fmt::print("{}: {} frames in {}\n", report::name(rendering.happened.outcome), frames.size(),
                options.out);
     for (const channel::CapturedMessage& message : rendering.capture.messages)
-      fmt::print("  frame {}: {}\n", message.frame, message.text);
+      if (message.kind != channel::MessageKind::capture)
+        fmt::print("  frame {}: {}\n", message.frame, message.text);
   }
   if (rendering.happened.outcome != report::Outcome::graded) {
     std::fflush(stdout);

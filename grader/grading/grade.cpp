@@ -54,7 +54,7 @@ report::Scene describe(const rubric::SceneFolders& folders, const Rendering& ren
   scene.output = rendering.happened.output;
   scene.seconds = rendering.happened.seconds;
   for (const channel::CapturedMessage& message : rendering.capture.messages)
-    scene.messages.push_back(message.text);
+    if (message.kind != channel::MessageKind::capture) scene.messages.push_back(message.text);
   const auto student = rawFrames(rendering.capture);
   const auto reference = rubric::readFrames(folders.reference);
   for (std::size_t i = 0; i < reference.size(); ++i)
@@ -139,12 +139,19 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
   {
     const Stopwatch time(result, "render");
     std::atomic<std::size_t> done{1};
-    inParallel(
-        renderings.size(), std::max(1u, std::thread::hardware_concurrency()), [&](std::size_t i) {
-          renderings[i] = renderScene(assignment.id, program, plan.scenes[i].scene,
-                                      plan.scenes[i].times, references.shaders, Isolation::bwrap);
-          progress("rendering", ++done, steps);
-        });
+    std::atomic<bool> hangs{false};
+    inParallel(renderings.size(), workers(), [&](std::size_t i) {
+      if (hangs) {
+        renderings[i].happened = {
+            Outcome::timeout, "not run: the program hung in another scene", {}, 0};
+        return;
+      }
+      renderings[i] = renderScene(assignment.id, program, plan.scenes[i].scene,
+                                  plan.scenes[i].times, references.shaders, Isolation::bwrap);
+      const Outcome outcome = renderings[i].happened.outcome;
+      if (outcome == Outcome::timeout || outcome == Outcome::noFrame) hangs = true;
+      progress("rendering", ++done, steps);
+    });
   }
 
   std::vector<rubric::SceneFolders> folders = references.scenes;

@@ -70,6 +70,10 @@ void build(const Assignment& assignment, Own& own) {
 
 } // namespace
 
+unsigned workers() {
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
 void inParallel(std::size_t count, unsigned workers, const std::function<void(std::size_t)>& task) {
   std::atomic<std::size_t> next{0};
   std::exception_ptr first;
@@ -157,7 +161,7 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
     fs::rename(warm.path(), all.shaders.folder, raced);
   }
   std::atomic<std::size_t> done{1};
-  inParallel(jobs.size(), std::max(1u, std::thread::hardware_concurrency()), [&](std::size_t i) {
+  inParallel(jobs.size(), workers(), [&](std::size_t i) {
     const Job& job = jobs[i];
     const Rendering rendering = renderScene(assignment.id, job.own->folder, *job.scene, *job.times,
                                             all.shaders, Isolation::bwrap);

@@ -28,6 +28,9 @@ References prepareReferences(const Target& target, const std::filesystem::path& 
 /// The captured frames in the form that is kept in files.
 std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture);
 
+/// How many runs go at a time: one a core.
+unsigned workers();
+
 /// Runs task(0) ... task(count - 1) on `workers` threads. The first exception is thrown on when all
 /// have ended.
 void inParallel(std::size_t count, unsigned workers, const std::function<void(std::size_t)>& task);

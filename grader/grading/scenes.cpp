@@ -4,6 +4,7 @@
 #include <gg/error.hpp>
 #include <gg/scene.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -55,6 +56,10 @@ private:
   std::mt19937_64 engine_;
 };
 
+bool shareATag(const std::vector<std::string>& a, const std::vector<std::string>& b) {
+  return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
+}
+
 /// The part's own scene settings, one over the other.
 json partScene(const Target& target) {
   json scene = readJson(target.assignment.folder / "scene.json");
@@ -93,7 +98,7 @@ ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder,
     ScenePlan plan;
     plan.seed = seed ? *seed : from.at("seed").get<std::uint64_t>();
     const json base = partScene(target);
-    const json probes = from.value("probes", json::object());
+    const json probes = from.value("probes", json::array());
     std::uint64_t index = 0;
     for (const json& declared : from.at("scenes")) {
       // A generator of its own for every scene: adding one leaves the others as they were.
@@ -110,10 +115,12 @@ ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder,
       one.times = drawer.draw(declared.at("times")).get<std::vector<double>>();
       one.scene = base;
       one.scene.merge_patch(drawer.draw(declared.value("scene", json::object())));
-      for (const auto& [name, patch] : probes.items()) {
+      for (const json& declaredProbe : probes) {
+        const auto tags = declaredProbe.value("tags", std::vector<std::string>{});
+        if (!tags.empty() && !shareATag(tags, one.tags)) continue;
         json probe = one.scene;
-        probe.merge_patch(patch);
-        one.probes[name] = probe;
+        probe.merge_patch(declaredProbe.at("scene"));
+        one.probes[declaredProbe.at("name")] = probe;
       }
       checkScene(target.assignment, one.scene, path.string() + ", " + one.name);
       for (const auto& [name, probe] : one.probes)

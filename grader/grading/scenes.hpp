@@ -17,7 +17,8 @@ struct SceneCase {
   std::vector<double> times;     ///< seconds, one a frame
   nlohmann::json scene;          ///< a whole scene file
   /// Scenes that only the reference is rendered in, to learn where things are (masks) and what a
-  /// feature changes: the scene with a patch merged over it.
+  /// feature changes: the scene with a patch merged over it. A probe with tags belongs to the
+  /// scenes that share one.
   std::map<std::string, nlohmann::json> probes;
 };
 

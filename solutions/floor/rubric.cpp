@@ -70,9 +70,10 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
     const Mask meeting = dilate(edges(reflections), 3) & dilate(regions.reflection, 3);
     regions.borders =
         meeting & erode(dilate(regions.reflection, 2) | regions.objects, 2) & regions.floor;
-    regions.clipped = differenceMask(scene.reference.at(frame),
-                                     scene.probes.at("unclipped").at(frame), 0.5f / 255) &
-                      regions.floor;
+    regions.clipped = Mask(reflections.width(), reflections.height());
+    if (const auto unclipped = scene.probes.find("unclipped"); unclipped != scene.probes.end())
+      regions.clipped = regions.floor & differenceMask(scene.reference.at(frame),
+                                                       unclipped->second.at(frame), 0.5f / 255);
   }
   return regions;
 }
