@@ -37,10 +37,12 @@ bool setLimits(const HelperPlan& plan) {
   const auto both = [](__rlimit_resource resource, std::uint64_t value) {
     return limit(resource, value, value);
   };
-  return both(RLIMIT_CORE, 0) && both(RLIMIT_FSIZE, plan.fileBytes) &&
+  // A core limit of 1 also stops handlers that core_pattern pipes to; 0 does not (core(5)).
+  return both(RLIMIT_CORE, 1) && both(RLIMIT_FSIZE, plan.fileBytes) &&
          both(RLIMIT_AS, plan.addressSpaceBytes) && both(RLIMIT_NOFILE, 256) &&
-         both(RLIMIT_STACK, 8 << 20) && both(RLIMIT_MEMLOCK, 64 << 10) &&
-         both(RLIMIT_MSGQUEUE, 0) && both(RLIMIT_SIGPENDING, 256) &&
+         /* g++ raises its own */ limit(RLIMIT_STACK, 8 << 20, 64 << 20) &&
+         both(RLIMIT_MEMLOCK, 64 << 10) && both(RLIMIT_MSGQUEUE, 0) &&
+         both(RLIMIT_SIGPENDING, 256) &&
          // Past the soft limit comes SIGXCPU, which tells this end apart; past the hard one
          // SIGKILL.
          limit(RLIMIT_CPU, plan.cpuSeconds, plan.cpuSeconds + 1) &&
