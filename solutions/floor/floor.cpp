@@ -153,7 +153,9 @@ void app(const gg::Scene& scene) {
       //   disable it below, and write gl_ClipDistance[0] in mirror.vert.
       //   Expect: sunken objects no longer stick out of the floor.    (handout: step 6)
       // BEGIN SOLUTION(mirror.6)
-      if (scene.integer("quality.mirror_clip") > 0) glEnable(GL_CLIP_DISTANCE0);
+      const bool clip = scene.integer("quality.mirror_clip") > 0;
+      mirrorProgram.set("uClip", clip);
+      if (clip) glEnable(GL_CLIP_DISTANCE0);
       // END SOLUTION(mirror.6)
 
       // TODO(mirror.4): draw the objects mirrored at the plane y = 0.

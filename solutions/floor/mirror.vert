@@ -6,6 +6,10 @@ uniform mat4 uView;       // mirrored eye from world
 uniform mat4 uModel;      // world from model
 uniform mat3 uNormal;     // eye from model, for normals: its sign turns with the mirror
 
+// BEGIN SOLUTION(mirror.6)
+uniform bool uClip; // quality.mirror_clip
+// END SOLUTION(mirror.6)
+
 layout(location = 0) in vec4 aPosition;
 layout(location = 1) in vec3 aNormal;
 
@@ -24,6 +28,7 @@ void main() {
   gl_Position = uProjection * position;
   // TODO(mirror.6): gl_ClipDistance[0] is the signed distance from the floor; negative is cut away.
   // BEGIN SOLUTION(mirror.6)
-  gl_ClipDistance[0] = world.y;
+  // Not by glEnable alone: llvmpipe clips by every distance that a shader writes.
+  gl_ClipDistance[0] = uClip ? world.y : 1;
   // END SOLUTION(mirror.6)
 }
