@@ -75,11 +75,14 @@ TEST_F(Drawing, AttributesArriveAtTheirLocations) {
   mesh.draw();
   EXPECT_THAT(pixel(0, 31), ElementsAre(4, 251, 0, 255)); // (0.5, 31.5) / 32
 
-  const gg::Program tangents = coloring("vec4(vTangent.xyz * 0.5 + 0.5, vTangent.w)");
+  gg::MeshData mirrored = gg::plane(2, 2); // u runs against x, so the handedness is -1
+  for (glm::vec2& uv : mirrored.uvs) uv.x = -uv.x;
+  gg::computeTangents(mirrored);
+  const gg::Program tangents = coloring("vTangent * 0.5 + 0.5");
   tangents.use();
   tangents.set("uClip", kFromAbove);
-  mesh.draw();
-  EXPECT_THAT(pixel(5, 5), ElementsAre(255, 128, 128, 255));
+  gg::Mesh(mirrored).draw();
+  EXPECT_THAT(pixel(5, 5), ElementsAre(0, 128, 128, 0));
 }
 
 TEST_F(Drawing, AMeshOfUnequalArraysIsRefused) {
