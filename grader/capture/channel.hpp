@@ -5,8 +5,8 @@
 /// The judging side creates the file, writes the Plan, fixes the file's size, and passes the
 /// descriptor; the captured side (capture library inside the student's process) writes everything
 /// else. All of it is plain data of sizes that the judging side computes itself. Whatever the
-/// captured side wrote is a claim: `readChannel` checks every length and range and copies the
-/// values out.
+/// captured side wrote is a claim: `Channel::read` (channel_reader.hpp) checks every length and
+/// range and copies the values out.
 ///
 /// Layout: Header, then `plan.frameCount` slots of `plan.slotBytes` bytes, each holding one frame
 /// as width x height x 4 bytes RGBA, row 0 at the bottom (as OpenGL has it).
@@ -24,6 +24,10 @@ inline constexpr std::uint32_t kMaxMessages = 64;
 inline constexpr std::uint32_t kMaxSide = 16384; ///< pixels
 /// Environment variable that names the descriptor of the channel.
 inline constexpr char kDescriptorVariable[] = "GG_CAPTURE_FD";
+
+/// Exit code of a program whose capture library refused the channel (as when a library cannot be
+/// loaded).
+inline constexpr int kRefusedExit = 127;
 
 /// One frame that the judging side wants. A side of 0 leaves the window as the program asked for
 /// it.

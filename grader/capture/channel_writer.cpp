@@ -20,11 +20,9 @@ using channel::Header;
 using channel::Message;
 using channel::Plan;
 
-constexpr int kBadPlanExit = 127; // as when a library cannot be loaded
-
 [[noreturn]] void refuse(const char* reason) {
   std::fprintf(stderr, "ggrade capture: %s: %s\n", channel::kDescriptorVariable, reason);
-  _exit(kBadPlanExit);
+  _exit(channel::kRefusedExit);
 }
 
 /// The plan is copied first: what is checked is what is used.

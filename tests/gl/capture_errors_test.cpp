@@ -87,10 +87,41 @@ TEST(CaptureMissing, IsSaidOnceAndDoesNothing) {
   EXPECT_EQ(run.errors.find(said, first + 1), std::string::npos) << "said once: " << run.errors;
 }
 
+TEST(CaptureMeaningless, IsSaidOnceOnStderrAndCountedInTheChannel) {
+  const CaptureRun quiet = runCaptured("meaningless", {{0, 0, 0}});
+  ASSERT_EQ(quiet.exitCode, 0);
+  EXPECT_EQ(quiet.errors, "");
+  const CaptureRun run =
+      runCaptured("meaningless", {{0, 0, 0}}, {{}, {{"GG_CAPTURE_VERBOSE", "1"}}});
+  const std::pair<const char*, std::uint32_t> expected[] = {
+      {"GLFW_SAMPLES=4: the window has one sample a pixel offscreen", 1},
+      {"GLFW_SRGB_CAPABLE: the window is linear offscreen", 1},
+      {"GLFW_STEREO: the window has no right-eye buffer offscreen", 1},
+      {"glfwSwapInterval: frames follow the schedule offscreen", 2},
+      {"iconifying changes nothing offscreen; frames go on", 2},
+      {"maximizing keeps the window's size offscreen", 2},
+      {"the window's opacity changes nothing offscreen", 2},
+      {"the monitor's gamma changes nothing offscreen", 2},
+      {"full screen: the window keeps the size that was asked for", 2},
+  };
+  std::string errors;
+  for (std::size_t i = 0; i < std::size(expected); ++i) {
+    const auto& [text, count] = expected[i];
+    errors += std::string("ggrade capture: ") + text + "\n";
+    ASSERT_LT(i, run.capture.messages.size());
+    EXPECT_EQ(run.capture.messages[i].text, text);
+    EXPECT_EQ(run.capture.messages[i].count, count) << text;
+    EXPECT_EQ(run.capture.messages[i].kind, MessageKind::capture);
+  }
+  EXPECT_EQ(run.capture.messages.size(), std::size(expected));
+  EXPECT_EQ(run.errors, errors);
+}
+
 TEST(CaptureEntries, KeepAllArgumentsInTheirFirstCall) {
   const CaptureRun run = runCaptured("calls_missing", {{0, 0, 0}});
   // glOrtho(-2, 3, -5, 7, -11, 13): 2/5, 2/12, -2/24, -1/5, -2/12, -2/24
-  EXPECT_EQ(run.output, "0 0\n0.400000\n0.166667\n-0.083333\n-0.200000\n-0.166667\n-0.083333\n");
+  EXPECT_EQ(run.output,
+            "0 0\n1 1.4\n0.400000\n0.166667\n-0.083333\n-0.200000\n-0.166667\n-0.083333\n");
 }
 
 } // namespace

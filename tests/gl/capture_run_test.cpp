@@ -120,17 +120,17 @@ TEST(CapturePlan, IsRefusedWithAReason) {
     channel::Plan plan = goodPlan();
     bad.spoil(plan);
     const CaptureRun run = runBadPlan(plan, channel::totalBytes(goodPlan()));
-    EXPECT_EQ(run.exitCode, 127) << bad.reason;
+    EXPECT_EQ(run.exitCode, channel::kRefusedExit) << bad.reason;
     EXPECT_EQ(run.errors, std::string("ggrade capture: GG_CAPTURE_FD: ") + bad.reason + "\n");
   }
 }
 
 TEST(CapturePlan, IsRefusedWhenThereIsNone) {
   const CaptureRun closed = runWithDescriptor("triangle", -1, {{}, {{"GG_CAPTURE_FD", "77"}}});
-  EXPECT_EQ(closed.exitCode, 127);
+  EXPECT_EQ(closed.exitCode, channel::kRefusedExit);
   EXPECT_EQ(closed.errors, "ggrade capture: GG_CAPTURE_FD: cannot read the plan\n");
   const CaptureRun word = runWithDescriptor("triangle", -1, {{}, {{"GG_CAPTURE_FD", "five"}}});
-  EXPECT_EQ(word.exitCode, 127);
+  EXPECT_EQ(word.exitCode, channel::kRefusedExit);
   EXPECT_EQ(word.errors, "ggrade capture: GG_CAPTURE_FD: not a descriptor number\n");
 }
 

@@ -14,6 +14,11 @@ int main() {
   const auto loaded = reinterpret_cast<void (*)(GLuint)>(glfwGetProcAddress("glTbufferMask3DFX"));
   loaded(3);
   std::printf("%d %d\n", glIsObjectBufferATI(1), glXIsDirect(nullptr, nullptr));
+  // What GLEW asks before it goes on.
+  int major = 0;
+  int minor = 0;
+  glXQueryVersion(glXGetCurrentDisplay(), &major, &minor);
+  std::printf("%d %d.%d\n", glXGetCurrentDisplay() != nullptr, major, minor);
   // The first call of an entry finds its target with all arguments kept.
   glUniform4f(-1, 1, 2, 3, 4);
   glLoadIdentity();
