@@ -24,12 +24,17 @@ using rubric::View;
 /// Share of wrong pixels at which an item about a region has nothing left.
 constexpr double kNothingLeft = 0.4;
 
+/// Share of the densest window that may show a wrong object before nothing is left of the item.
+constexpr double kWrongObject = 0.1;
+/// Pixels from where two objects meet within which it shows which one is in front.
+constexpr int kMeetingReach = 10;
+
 /// What a frame of a scene shows where.
 struct Regions {
   Mask objects;    // seen directly
   Mask floor;      // not hidden by objects
   Mask reflection; // of objects, on the visible floor
-  Mask borders;    // about the edges where one thing hides another, on the visible floor
+  Mask meeting;    // of the reflection, near places where two objects meet: one hides the other
   Mask clipped;    // where clipping at the floor makes a difference
 };
 
@@ -38,19 +43,20 @@ Mask shown(const Image& probe) {
   return differenceMask(probe, Image(probe.width(), probe.height(), probe.channels()), 0.1f);
 }
 
-/// Pixels beside which the probe has another colour: an edge between flat colours.
-Mask edges(const Image& probe) {
+/// Pixels beside which another object is seen: edges between two flat colours, neither of them
+/// black.
+Mask meetings(const Image& probe) {
+  const Mask any = shown(probe);
   Mask found(probe.width(), probe.height());
-  for (int y = 0; y + 1 < probe.height(); ++y) {
-    for (int x = 0; x + 1 < probe.width(); ++x) {
-      for (int c = 0; c < 3; ++c) {
-        const float here = probe.at(x, y, c);
-        if (std::abs(here - probe.at(x + 1, y, c)) > 0.05f ||
-            std::abs(here - probe.at(x, y + 1, c)) > 0.05f)
-          found.set(x, y);
-      }
-    }
-  }
+  const auto differ = [&](int x, int y, int u, int v) {
+    if (!any.at(x, y) || !any.at(u, v)) return false;
+    for (int c = 0; c < 3; ++c)
+      if (std::abs(probe.at(x, y, c) - probe.at(u, v, c)) > 0.05f) return true;
+    return false;
+  };
+  for (int y = 0; y + 1 < probe.height(); ++y)
+    for (int x = 0; x + 1 < probe.width(); ++x)
+      if (differ(x, y, x + 1, y) || differ(x, y, x, y + 1)) found.set(x, y);
   return found;
 }
 
@@ -66,10 +72,7 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
     const Mask near = dilate(regions.objects, 1);
     regions.floor = shown(scene.probes.at("floor").at(frame)) & ~near;
     regions.reflection = shown(reflections) & regions.floor;
-    // Only where reflections meet: one in front of another, or an object in front of one.
-    const Mask meeting = dilate(edges(reflections), 3) & dilate(regions.reflection, 3);
-    regions.borders =
-        meeting & erode(dilate(regions.reflection, 2) | regions.objects, 2) & regions.floor;
+    regions.meeting = dilate(meetings(reflections), kMeetingReach) & regions.reflection;
     regions.clipped = Mask(reflections.width(), reflections.height());
     if (const auto unclipped = scene.probes.find("unclipped"); unclipped != scene.probes.end())
       regions.clipped = regions.floor & differenceMask(scene.reference.at(frame),
@@ -165,15 +168,14 @@ GGRADE_ITEM("mirror.shading", [](const View& view) {
   });
 });
 
-/// Share of the reflection's pixels where the light that a frame adds to the floor has the hue of
-/// the object that is reflected there, to 8 degrees of angle between the colours. Brightness
-/// doesn't count.
-double hueAgrees(const View& view, std::size_t frame, const Image& image) {
+/// The reflection's pixels where the light that a frame adds to the floor has the hue of the object
+/// that is reflected there, to 8 degrees of angle between the colours. Brightness doesn't count.
+Mask rightHue(const View& view, std::size_t frame, const Image& image) {
   static const float kCosine = std::cos(8 * 3.14159265f / 180);
   const Image& plain = view.scene.probes.at("plain").at(frame);
   const Image& flat = view.scene.probes.at("reflections").at(frame);
   const Mask region = erode(regionsOf(view.scene, frame).reflection, 1);
-  std::size_t agree = 0;
+  Mask right(image.width(), image.height());
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       if (!region.at(x, y)) continue;
@@ -184,32 +186,40 @@ double hueAgrees(const View& view, std::size_t frame, const Image& image) {
         added += light * light;
         own += flat.at(x, y, c) * flat.at(x, y, c);
       }
-      agree += dot > kCosine * std::sqrt(added * own) && added > 1e-5f;
+      if (dot > kCosine * std::sqrt(added * own) && added > 1e-5f) right.set(x, y);
     }
   }
-  return double(agree) / double(std::max<std::size_t>(region.count(), 1));
+  return right;
 }
 
 GGRADE_ITEM("mirror.position", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
-    // Highlights are white in the reference, too: its own share is what can be had.
-    const double reachable = hueAgrees(view, i, view.scene.reference.at(i));
-    const double share = hueAgrees(view, i, view.frames.at(i)) / std::max(reachable, 0.01);
+    // Highlights are white in the reference, too: what it reaches is what can be had.
+    const Mask reachable = rightHue(view, i, view.scene.reference.at(i));
+    const std::size_t right = (rightHue(view, i, view.frames.at(i)) & reachable).count();
+    const double share = double(right) / double(std::max<std::size_t>(reachable.count(), 1));
     return {
         std::clamp((share - 0.5) / 0.45, 0.0, 1.0),
         fmt::format("{:.0f}% of the reflection shows the colour of the object that belongs there",
-                    100 * std::min(share, 1.0))};
+                    100 * share)};
   });
 });
 
 GGRADE_ITEM("mirror.hidden", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
-    const Mask& region = regionsOf(view.scene, i).borders;
-    if (tooSmall(region)) return {1, "nothing to see in this frame"};
-    Verdict verdict = within(view, i, region, "where one thing hides another");
+    const Mask reachable =
+        rightHue(view, i, view.scene.reference.at(i)) & regionsOf(view.scene, i).meeting;
+    if (tooSmall(reachable)) return {1, "nothing to see in this frame"};
+    const Mask wrong = reachable & ~rightHue(view, i, view.frames.at(i));
+    // The densest window: a hidden object may be small in a large picture.
+    const Window densest = densestWindow(wrong);
     // Nothing is hidden rightly by a reflection that isn't there.
-    verdict.quality *= coverage(view, i).quality;
-    return verdict;
+    const double quality =
+        std::max(0.0, 1 - densest.share / kWrongObject) * coverage(view, i).quality;
+    return {quality, fmt::format("where two objects meet, {} of {} pixels show another object than "
+                                 "the nearest, densest at ({},{})",
+                                 wrong.count(), reachable.count(), densest.x + densest.width / 2,
+                                 densest.y + densest.height / 2)};
   });
 });
 
