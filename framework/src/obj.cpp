@@ -106,6 +106,17 @@ class Builder {
 public:
   explicit Builder(const tinyobj::attrib_t& attributes) : attributes_(attributes) {}
 
+  // Do the corner's indices lie within what the file defines?
+  bool isComplete(const tinyobj::index_t& corner) const {
+    const auto within = [](int index, std::size_t count) {
+      return static_cast<std::size_t>(index) < count;
+    };
+    return within(corner.vertex_index, attributes_.vertices.size() / 3) &&
+           (corner.texcoord_index < 0 ||
+            within(corner.texcoord_index, attributes_.texcoords.size() / 2)) &&
+           (corner.normal_index < 0 || within(corner.normal_index, attributes_.normals.size() / 3));
+  }
+
   void addTriangle(const tinyobj::index_t* corners) {
     glm::vec3 p[3];
     for (int i = 0; i < 3; ++i) p[i] = position(corners[i].vertex_index);
@@ -195,6 +206,10 @@ MeshData readObjText(const std::string& text, const std::string& name) {
   Builder builder(attributes);
   for (const tinyobj::shape_t& shape : shapes) {
     const auto& corners = shape.mesh.indices;
+    // Where the line check and the reader see an odd line differently, the reader's word counts.
+    for (const tinyobj::index_t& corner : corners)
+      if (!builder.isComplete(corner))
+        throw FileError(name + ": a face has a corner that is not in the file");
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) builder.addTriangle(&corners[i]);
   }
   if (builder.empty()) throw FileError(name + ": has no face with an area");

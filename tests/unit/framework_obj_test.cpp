@@ -104,6 +104,12 @@ TEST(Obj, MistakesHaveALine) {
   EXPECT_EQ(messageFor(kSquare + "f 1/1/1/1 2 3\n").substr(0, 7), "a.obj:5");
 }
 
+// tinyobjloader wants a space or tab after the keyword.
+TEST(Obj, ALineThatTheReaderSeesDifferentlyIsAnErrorAndNoCrash) {
+  EXPECT_EQ(messageFor(kSquare + "vn\v0 0 1\nf 1//1 2//1 3//1\n"),
+            "a.obj: a face has a corner that is not in the file");
+}
+
 TEST(Obj, AnEmptyOrForeignFileHasNoFaces) {
   EXPECT_EQ(messageFor(""), "a.obj: has no face with an area");
   EXPECT_EQ(messageFor("{\"not\": \"an obj\"}\n"), "a.obj: has no face with an area");
