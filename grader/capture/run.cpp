@@ -21,6 +21,8 @@ constexpr double kNanoseconds = 1e9;
 constexpr std::uint32_t kMaxSwapsIgnored = 3;
 constexpr std::uint32_t kMaxPollsIgnored = 100'000;
 constexpr std::uint32_t kMaxWaitsIgnored = 1000;
+// A loop that draws to the window, asks whether to close, and never swaps.
+constexpr std::uint32_t kMaxRoundsUnswapped = 60;
 
 /// Frames after which the window asks to close; 0 for never.
 std::uint32_t frameLimit() {
@@ -90,6 +92,8 @@ bool Run::endFrame() {
   clockCalls_ = 0;
   pollsIgnored_ = 0;
   waitsIgnored_ = 0;
+  drawsAsked_ = 0;
+  roundsUnswapped_ = 0;
   if (closing_ || !last()) return false;
   closing_ = true;
   return true;
@@ -105,12 +109,20 @@ void Run::waited() {
   expectClose(waitsIgnored_, kMaxWaitsIgnored);
 }
 
-void Run::expectClose(std::uint32_t& count, std::uint32_t limit) {
-  if (closing_ && ++count >= limit) endProgram();
+void Run::asked(std::uint32_t windowDraws) {
+  const std::lock_guard lock(mutex_);
+  if (windowDraws > drawsAsked_ && ++roundsUnswapped_ >= kMaxRoundsUnswapped)
+    endProgram("the program drew in many rounds of its loop without glfwSwapBuffers; it was ended");
+  drawsAsked_ = windowDraws;
 }
 
-void Run::endProgram() {
-  say("the program went on after the window had asked to close; it was ended");
+void Run::expectClose(std::uint32_t& count, std::uint32_t limit) {
+  if (closing_ && ++count >= limit)
+    endProgram("the program went on after the window had asked to close; it was ended");
+}
+
+void Run::endProgram(const char* why) {
+  say(why);
   writeEndedByCapture();
   std::cout.flush();
   std::clog.flush();

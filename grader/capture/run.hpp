@@ -35,13 +35,17 @@ public:
   void polled();
   void waited();
 
+  /// The program asked whether to close; `windowDraws` calls have drawn to the window since the
+  /// last swap. Ends a program whose loop goes round and round without ever swapping.
+  void asked(std::uint32_t windowDraws);
+
 private:
   // Private members expect `mutex_` to be held.
   double scheduled(std::uint32_t frame) const;
   double now();
   bool last() const;
   void expectClose(std::uint32_t& count, std::uint32_t limit);
-  [[noreturn]] static void endProgram();
+  [[noreturn]] static void endProgram(const char* why);
 
   mutable std::mutex mutex_;
   std::uint32_t frame_ = 0;
@@ -51,6 +55,8 @@ private:
   std::uint32_t swapsIgnored_ = 0;
   std::uint32_t pollsIgnored_ = 0;
   std::uint32_t waitsIgnored_ = 0;
+  std::uint32_t drawsAsked_ = 0; ///< to the window, when the program last asked
+  std::uint32_t roundsUnswapped_ = 0;
 };
 
 Run& run();

@@ -45,6 +45,27 @@ report::Frame compareFrames(const Image& student, const Image& reference, double
   return frame;
 }
 
+/// What the capture saw that a student would want to know, in words.
+std::vector<std::string> remarks(const channel::Capture& capture) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < capture.frames.size(); ++i) {
+    const channel::CapturedFrame& frame = capture.frames[i];
+    if (frame.windowDraws == 0)
+      all.push_back(fmt::format("frame {}: nothing was drawn to the window", i + 1));
+    if (frame.boundFramebuffer != 0)
+      all.push_back(fmt::format("frame {}: a framebuffer object ({}) was still bound at the swap: "
+                                "bind 0 before you draw to the window",
+                                i + 1, frame.boundFramebuffer));
+    if (frame.windowSrgb)
+      all.push_back(
+          fmt::format("frame {}: GL_FRAMEBUFFER_SRGB was on, but the window is linear", i + 1));
+  }
+  for (const channel::CapturedMessage& message : capture.messages)
+    if (message.kind != channel::MessageKind::capture)
+      all.push_back(fmt::format("frame {}: {}", message.frame + 1, message.text));
+  return all;
+}
+
 report::Scene describe(const rubric::SceneFolders& folders, const Rendering& rendering) {
   report::Scene scene;
   scene.name = folders.name;
@@ -53,8 +74,7 @@ report::Scene describe(const rubric::SceneFolders& folders, const Rendering& ren
   scene.detail = rendering.happened.detail;
   scene.output = rendering.happened.output;
   scene.seconds = rendering.happened.seconds;
-  for (const channel::CapturedMessage& message : rendering.capture.messages)
-    if (message.kind != channel::MessageKind::capture) scene.messages.push_back(message.text);
+  scene.messages = remarks(rendering.capture);
   const auto student = rawFrames(rendering.capture);
   const auto reference = rubric::readFrames(folders.reference);
   for (std::size_t i = 0; i < reference.size(); ++i)
@@ -168,8 +188,10 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
       result.detail = fmt::format("{}: {}", folders[i].name, happened.detail);
     }
   }
-  if (result.fingerprint.empty() && !renderings.empty())
-    result.fingerprint = fingerprint(renderings[0].capture);
+  if (result.outcome == Outcome::graded && !renderings.empty())
+    if (const auto seen = remarks(renderings[0].capture); !seen.empty())
+      result.detail = folders[0].name + ", " + seen[0];
+  if (!renderings.empty()) result.fingerprint = fingerprint(renderings[0].capture);
 
   progress("judging", steps - 1, steps);
   {

@@ -102,6 +102,7 @@ int glfwWindowShouldClose(GLFWwindow* window) {
   // The first frame may have another size than the program asked for. A loop that draws before it
   // looks at events comes through here first.
   deliverSize(window);
+  if (const ContextState* state = currentState()) run().asked(state->use.draws);
   return window->shouldClose;
 }
 
