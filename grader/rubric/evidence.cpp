@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 
 namespace ggrade::rubric {
@@ -47,21 +48,30 @@ std::vector<RawFrame> readFrames(const fs::path& folder) {
   for (const json& one : readJson(folder / "frames.json")) {
     RawFrame frame{one.at("time"), one.at("width"), one.at("height"), {}};
     const fs::path path = folder / fmt::format("frame-{}.rgba", frames.size());
-    const std::string bytes = readFile(path);
-    if (bytes.size() != std::size_t(frame.width) * frame.height * 4)
-      throw UsageError(fmt::format("{}: {} bytes are not {}x{}x4", path.string(), bytes.size(),
+    std::error_code error;
+    const auto size = fs::file_size(path, error);
+    if (error || size != std::size_t(frame.width) * frame.height * 4)
+      throw UsageError(fmt::format("{}: {} bytes are not {}x{}x4", path.string(), error ? 0 : size,
                                    frame.width, frame.height));
-    frame.pixels.assign(bytes.begin(), bytes.end());
+    frame.pixels.resize(size);
+    if (!std::ifstream(path, std::ios::binary)
+             .read(reinterpret_cast<char*>(frame.pixels.data()), std::streamsize(size)))
+      throw UsageError(fmt::format("can't read {}", path.string()));
     frames.push_back(std::move(frame));
   }
   return frames;
 }
 
 Image toImage(const RawFrame& frame) {
+  static const auto kValues = [] {
+    std::array<float, 256> values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = float(i) / 255.0f;
+    return values;
+  }();
   Image image(int(frame.width), int(frame.height), 3);
   float* to = image.values().data();
   for (std::size_t i = 0; i < frame.pixels.size(); i += 4)
-    for (std::size_t c = 0; c < 3; ++c) *to++ = float(frame.pixels[i + c]) / 255.0f;
+    for (std::size_t c = 0; c < 3; ++c) *to++ = kValues[frame.pixels[i + c]];
   return image;
 }
 

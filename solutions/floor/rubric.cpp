@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -36,6 +37,8 @@ struct Regions {
   Mask reflection; // of objects, on the visible floor
   Mask meeting;    // of the reflection, near places where two objects meet: one hides the other
   Mask clipped;    // where clipping at the floor makes a difference
+  Image sky;       // the floor that reflects the background but no object
+  Mask covered;    // the floor's pixels where the reference shows a reflected object
 };
 
 /// Pixels that a probe with a black background shows something in.
@@ -60,6 +63,27 @@ Mask meetings(const Image& probe) {
   return found;
 }
 
+/// The scene without reflection, with the background's reflection added everywhere.
+Image withSky(const SceneEvidence& scene, const Image& plain) {
+  const auto specular =
+      scene.scene.at("materials").at("floor").at("specular").get<std::array<float, 3>>();
+  const auto background = scene.scene.at("background").get<std::array<float, 3>>();
+  Image image = plain;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        image.at(x, y, c) = std::min(1.0f, image.at(x, y, c) + specular[std::size_t(c)] *
+                                                                   background[std::size_t(c)]);
+  return image;
+}
+
+/// Where on the floor a frame shows reflected objects: it looks neither like the bare floor nor
+/// like the floor that reflects the background.
+Mask reflectedObjects(const Regions& regions, const Image& plain, const Image& image) {
+  return differenceMask(image, plain, 2 * kTolerance) &
+         differenceMask(image, regions.sky, 2 * kTolerance) & regions.floor;
+}
+
 const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
   static std::map<std::pair<const SceneEvidence*, std::size_t>, Regions> known;
   auto [entry, fresh] = known.try_emplace({&scene, frame});
@@ -77,32 +101,11 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
     if (const auto unclipped = scene.probes.find("unclipped"); unclipped != scene.probes.end())
       regions.clipped = regions.floor & differenceMask(scene.reference.at(frame),
                                                        unclipped->second.at(frame), 0.5f / 255);
+    const Image& plain = scene.probes.at("plain").at(frame);
+    regions.sky = withSky(scene, plain);
+    regions.covered = reflectedObjects(regions, plain, scene.reference.at(frame));
   }
   return regions;
-}
-
-/// The floor with the background's reflection on it but no object's: what a pixel away from
-/// reflected objects may look like.
-Image withSky(const SceneEvidence& scene, const Image& plain) {
-  Image image = plain;
-  const auto& specular = scene.scene.at("materials").at("floor").at("specular");
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      for (int c = 0; c < 3; ++c)
-        image.at(x, y, c) =
-            std::min(1.0f, image.at(x, y, c) +
-                               specular.at(std::size_t(c)).get<float>() *
-                                   scene.scene.at("background").at(std::size_t(c)).get<float>());
-  return image;
-}
-
-/// Where on the floor a frame shows reflected objects: it looks neither like the bare floor nor
-/// like the floor that reflects the background.
-Mask reflectedObjects(const SceneEvidence& scene, std::size_t frame, const Image& image) {
-  const Image& plain = scene.probes.at("plain").at(frame);
-  return differenceMask(image, plain, 2 * kTolerance) &
-         differenceMask(image, withSky(scene, plain), 2 * kTolerance) &
-         regionsOf(scene, frame).floor;
 }
 
 struct Coverage {
@@ -112,8 +115,10 @@ struct Coverage {
 
 /// How well the places with reflected objects agree; an edge may move by one pixel.
 Coverage coverage(const View& view, std::size_t frame) {
-  const Mask wanted = reflectedObjects(view.scene, frame, view.scene.reference.at(frame));
-  const Mask found = reflectedObjects(view.scene, frame, view.frames.at(frame));
+  const Regions& regions = regionsOf(view.scene, frame);
+  const Mask& wanted = regions.covered;
+  const Mask found =
+      reflectedObjects(regions, view.scene.probes.at("plain").at(frame), view.frames.at(frame));
   Coverage result;
   result.missing = (wanted & ~dilate(found, 1)).count();
   result.extra = (found & ~dilate(wanted, 1)).count();
