@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <thread>
 
 namespace ggrade::grading {
@@ -194,6 +195,13 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
   if (!renderings.empty()) result.fingerprint = fingerprint(renderings[0].capture);
 
   progress("judging", steps - 1, steps);
+  // The pictures for the report are compared while the rubric judges.
+  std::future<std::vector<report::Scene>> scenes = std::async(std::launch::async, [&] {
+    std::vector<report::Scene> all;
+    for (std::size_t i = 0; i < renderings.size(); ++i)
+      all.push_back(describe(folders[i], renderings[i]));
+    return all;
+  });
   {
     const Stopwatch time(result, "judge");
     rubric::writeEvidence(work.path() / "evidence.json", assignment.folder, target.id, folders);
@@ -206,11 +214,7 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
     }
   }
   score(result);
-  {
-    const Stopwatch time(result, "compare pictures");
-    for (std::size_t i = 0; i < renderings.size(); ++i)
-      result.scenes.push_back(describe(folders[i], renderings[i]));
-  }
+  result.scenes = scenes.get();
   progress("done", steps, steps);
   return result;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <future>
 
 namespace ggrade::rubric {
 
@@ -26,6 +27,21 @@ Frames readImages(const json& folder) {
   for (const RawFrame& frame : readFrames(folder.get<std::string>()))
     images.push_back(toImage(frame));
   return images;
+}
+
+SceneEvidence readScene(const json& from) {
+  SceneEvidence scene;
+  scene.name = from.at("name");
+  scene.isPublic = from.at("public");
+  scene.tags = from.at("tags").get<std::vector<std::string>>();
+  scene.scene = from.at("scene");
+  scene.frameCount = from.at("frames");
+  scene.student = readImages(from.at("student"));
+  scene.reference = readImages(from.at("reference"));
+  scene.stub = readImages(from.at("stub"));
+  for (const auto& [name, folder] : from.at("probes").items())
+    scene.probes[name] = readImages(folder);
+  return scene;
 }
 
 } // namespace
@@ -103,20 +119,11 @@ void writeEvidence(const fs::path& file, const fs::path& assignmentFolder,
 Evidence readEvidence(const fs::path& file) {
   const json from = readJson(file);
   Evidence evidence{from.at("assignment").get<std::string>(), from.at("target"), {}};
-  for (const json& one : from.at("scenes")) {
-    SceneEvidence scene;
-    scene.name = one.at("name");
-    scene.isPublic = one.at("public");
-    scene.tags = one.at("tags").get<std::vector<std::string>>();
-    scene.scene = one.at("scene");
-    scene.frameCount = one.at("frames");
-    scene.student = readImages(one.at("student"));
-    scene.reference = readImages(one.at("reference"));
-    scene.stub = readImages(one.at("stub"));
-    for (const auto& [name, folder] : one.at("probes").items())
-      scene.probes[name] = readImages(folder);
-    evidence.scenes.push_back(std::move(scene));
-  }
+  const json& scenes = from.at("scenes");
+  std::vector<std::future<SceneEvidence>> loading;
+  for (const json& scene : scenes)
+    loading.push_back(std::async(std::launch::async, [&scene] { return readScene(scene); }));
+  for (auto& scene : loading) evidence.scenes.push_back(scene.get());
   return evidence;
 }
 

@@ -124,8 +124,10 @@ void Supervisor::wait(std::chrono::milliseconds longest) {
 }
 
 void Supervisor::readInfo() {
-  if (!connections_.info || init_) return;
+  // Read on to its end also when all is known: an unread end of a pipe wakes poll() again and
+  // again.
   drain(connections_.info, info_, 4096);
+  if (init_) return;
   const std::string key = "\"child-pid\":";
   const std::size_t at = info_.find(key);
   // The comma behind the number shows that all of it is there.
