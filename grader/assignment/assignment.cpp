@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
 
 namespace ggrade {
 
@@ -54,13 +53,13 @@ Part readPart(const json& from) {
 } // namespace
 
 std::string readFile(const fs::path& path) {
+  std::error_code error;
+  const auto size = fs::file_size(path, error);
+  std::string text(error ? 0 : size, '\0');
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (!in || !(text << in.rdbuf()))
-    // An empty file sets failbit on `text`; that is no error.
-    if (!in || fs::file_size(path) != 0)
-      throw UsageError(fmt::format("can't read {}", path.string()));
-  return text.str();
+  if (error || !in.read(text.data(), std::streamsize(text.size())))
+    throw UsageError(fmt::format("can't read {}", path.string()));
+  return text;
 }
 
 json readJson(const fs::path& path) {

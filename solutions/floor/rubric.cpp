@@ -114,12 +114,15 @@ struct Coverage {
 };
 
 /// How well the places with reflected objects agree; an edge may move by one pixel.
-Coverage coverage(const View& view, std::size_t frame) {
+const Coverage& coverage(const View& view, std::size_t frame) {
+  static std::map<const Image*, Coverage> known; // several items ask
+  auto [entry, fresh] = known.try_emplace(&view.frames.at(frame));
+  Coverage& result = entry->second;
+  if (!fresh) return result;
   const Regions& regions = regionsOf(view.scene, frame);
   const Mask& wanted = regions.covered;
   const Mask found =
       reflectedObjects(regions, view.scene.probes.at("plain").at(frame), view.frames.at(frame));
-  Coverage result;
   result.missing = (wanted & ~dilate(found, 1)).count();
   result.extra = (found & ~dilate(wanted, 1)).count();
   result.all = std::max<std::size_t>(wanted.count(), 1);
@@ -158,7 +161,7 @@ template <class Judge> Verdict worstFrame(const View& view, Judge judge) {
 
 GGRADE_ITEM("mirror.where", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
-    const Coverage cover = coverage(view, i);
+    const Coverage& cover = coverage(view, i);
     return {cover.quality,
             fmt::format("reflected objects cover {} pixels: {:.1f}% of them lack the reflection, "
                         "{:.1f}% as many again have one that must not be there",
@@ -275,24 +278,41 @@ GGRADE_ITEM("mirror.keep_state", [](const View& view) -> Verdict {
   return {1 - std::clamp((worst - 0.005) / 0.1, 0.0, 1.0), later + ", the first frame did not"};
 });
 
+/// Sums over `2 reach + 1` values along one line of `length` values that lie `step` apart.
+void boxSums(const float* from, float* to, int length, std::size_t step, int reach) {
+  double sum = 0;
+  const auto at = [&](int i) { return double(from[std::size_t(i) * step]); };
+  for (int i = 0; i < std::min(reach, length); ++i) sum += at(i);
+  for (int i = 0; i < length; ++i) {
+    if (i + reach < length) sum += at(i + reach);
+    if (i > reach) sum -= at(i - reach - 1);
+    to[std::size_t(i) * step] = float(sum);
+  }
+}
+
 /// Mean over a square of 7 x 7 pixels of what was added to the floor: noise goes, blur stays.
 Image smoothed(const Image& image, const Image& plain, const Mask& floor) {
   constexpr int kReach = 3;
-  Image out(image.width(), image.height(), 3);
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
+  const int width = image.width(), height = image.height();
+  // Three channels of added light, and how many pixels of floor there are.
+  Image sums(width, height, 4), rows(width, height, 4);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
       if (!floor.at(x, y)) continue;
-      float sum[3] = {}, n = 0;
-      for (int v = std::max(0, y - kReach); v <= std::min(image.height() - 1, y + kReach); ++v) {
-        for (int u = std::max(0, x - kReach); u <= std::min(image.width() - 1, x + kReach); ++u) {
-          if (!floor.at(u, v)) continue;
-          ++n;
-          for (int c = 0; c < 3; ++c) sum[c] += image.at(u, v, c) - plain.at(u, v, c);
-        }
-      }
-      for (int c = 0; c < 3; ++c) out.at(x, y, c) = sum[c] / n;
+      for (int c = 0; c < 3; ++c) sums.at(x, y, c) = image.at(x, y, c) - plain.at(x, y, c);
+      sums.at(x, y, 3) = 1;
     }
   }
+  for (int y = 0; y < height; ++y)
+    for (int c = 0; c < 4; ++c) boxSums(&sums.at(0, y, c), &rows.at(0, y, c), width, 4, kReach);
+  for (int x = 0; x < width; ++x)
+    for (int c = 0; c < 4; ++c)
+      boxSums(&rows.at(x, 0, c), &sums.at(x, 0, c), height, std::size_t(width) * 4, kReach);
+  Image out(width, height, 3);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      if (floor.at(x, y))
+        for (int c = 0; c < 3; ++c) out.at(x, y, c) = sums.at(x, y, c) / sums.at(x, y, 3);
   return out;
 }
 
