@@ -43,6 +43,14 @@ struct Places {
   }
 };
 
+/// The line of a compiler's or driver's log that names the first error; the first line if none
+/// does.
+std::string firstError(const std::string& log) {
+  const std::size_t error = log.find("error:");
+  const std::size_t start = error == log.npos ? 0 : log.rfind('\n', error) + 1;
+  return report::sanitizeLine(log.substr(start, log.find('\n', start) - start));
+}
+
 std::string lastLine(const std::string& text) {
   const std::size_t end = text.find_last_not_of(" \n\r\t");
   if (end == text.npos) return {};
@@ -51,10 +59,10 @@ std::string lastLine(const std::string& text) {
                      end - (start == text.npos ? 0 : start + 1) + 1);
 }
 
-bool hasGlErrors(const channel::Capture& capture) {
+const channel::CapturedMessage* firstGlError(const channel::Capture& capture) {
   for (const channel::CapturedMessage& message : capture.messages)
-    if (message.kind == channel::MessageKind::glError) return true;
-  return false;
+    if (message.kind == channel::MessageKind::glError) return &message;
+  return nullptr;
 }
 
 /// What a run that is over amounts to.
@@ -86,12 +94,15 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
   } else if (run.end == End::signalled) {
     set(Outcome::crash, fmt::format("{}; {}", run.detail, progress));
   } else if (capture.frames.size() == frameCount) {
-    set(hasGlErrors(capture) ? Outcome::glError : Outcome::graded, progress);
+    const channel::CapturedMessage* error = firstGlError(capture);
+    set(error ? Outcome::glError : Outcome::graded,
+        error ? fmt::format("frame {}: {}; {}", error->frame + 1, error->text, progress)
+              : progress);
   } else if (capture.endedByCapture && capture.frames.empty()) {
     set(Outcome::noFrame,
         "the program's loop went round and round without ever reaching glfwSwapBuffers");
   } else if (run.exitCode == 3) {
-    set(Outcome::shaderError, "a shader does not compile or link");
+    set(Outcome::shaderError, firstError(happened.output));
   } else if (run.exitCode != 0) {
     set(Outcome::crash, fmt::format("the program ended with code {}: {}; {}", run.exitCode,
                                     report::sanitizeLine(lastLine(run.standardError)), progress));
@@ -174,12 +185,7 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
   } else {
     happened.outcome = Outcome::buildFailed;
     if (run.end == End::exited) {
-      const std::size_t error = happened.output.find("error:");
-      const std::size_t start =
-          error == std::string::npos ? 0 : happened.output.rfind('\n', error) + 1;
-      happened.detail =
-          "the compiler says: " + report::sanitizeLine(happened.output.substr(
-                                      start, happened.output.find('\n', start) - start));
+      happened.detail = "the compiler says: " + firstError(happened.output);
     } else {
       happened.detail = "the compiler was stopped: " + run.detail;
     }

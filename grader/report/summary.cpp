@@ -95,7 +95,7 @@ FrameIndex worstFrame(const Result& result) {
 namespace {
 
 std::string reasonOf(const Result& result) {
-  if (!scored(result.outcome)) return sanitizeLine(result.detail);
+  if (!scored(result.outcome) || !result.detail.empty()) return sanitizeLine(result.detail);
   const auto worst = worstItems(result, 1);
   if (worst.empty()) return "";
   const std::string message = sanitizeLine(worst[0]->message);

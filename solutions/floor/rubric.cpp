@@ -131,6 +131,13 @@ const Coverage& coverage(const View& view, std::size_t frame) {
   return result;
 }
 
+/// ", densest at (x,y)", or nothing when nothing is wrong.
+std::string densestAt(const Window& window) {
+  if (window.pixels == 0) return "";
+  return fmt::format(", densest at ({},{})", window.x + window.width / 2,
+                     window.y + window.height / 2);
+}
+
 /// The tolerant comparison with the reference inside `region`, as a verdict.
 Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what) {
   CompareOptions options;
@@ -138,10 +145,9 @@ Verdict within(const View& view, std::size_t frame, const Mask& region, const st
   const Comparison comparison =
       compare(view.frames.at(frame), view.scene.reference.at(frame), options);
   const double quality = std::max(0.0, 1 - comparison.wrongShare / kNothingLeft);
-  return {quality, fmt::format("{}: {:.1f}% of {} pixels differ, densest at ({},{})", what,
-                               100 * comparison.wrongShare, comparison.judgedPixels,
-                               comparison.densest.x + comparison.densest.width / 2,
-                               comparison.densest.y + comparison.densest.height / 2)};
+  return {quality,
+          fmt::format("{}: {:.1f}% of {} pixels differ{}", what, 100 * comparison.wrongShare,
+                      comparison.judgedPixels, densestAt(comparison.densest))};
 }
 
 /// A region so small that a frame can't show the item.
@@ -224,10 +230,10 @@ GGRADE_ITEM("mirror.hidden", [](const View& view) {
     // Nothing is hidden rightly by a reflection that isn't there.
     const double quality =
         std::max(0.0, 1 - densest.share / kWrongObject) * coverage(view, i).quality;
-    return {quality, fmt::format("where two objects meet, {} of {} pixels show another object than "
-                                 "the nearest, densest at ({},{})",
-                                 wrong.count(), reachable.count(), densest.x + densest.width / 2,
-                                 densest.y + densest.height / 2)};
+    return {quality,
+            fmt::format(
+                "where two objects meet, {} of {} pixels show another object than the nearest{}",
+                wrong.count(), reachable.count(), densestAt(densest))};
   });
 });
 
@@ -254,8 +260,8 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
   const Mask wrong = full.compared() && bare.compared() ? full.wrong & bare.wrong : region;
   const Window densest = densestWindow(wrong);
   const double share = double(wrong.count()) / double(std::max<std::size_t>(region.count(), 1));
-  where = fmt::format("{:.1f}% of the pixels away from the reflection differ, densest at ({},{})",
-                      100 * share, densest.x + densest.width / 2, densest.y + densest.height / 2);
+  where = fmt::format("{:.1f}% of the pixels away from the reflection differ{}", 100 * share,
+                      densestAt(densest));
   return share;
 }
 
