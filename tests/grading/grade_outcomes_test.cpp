@@ -1,0 +1,179 @@
+// Every way in which a submission can end, provoked, told apart, and explained.
+
+#include "tool.hpp"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+#include <fstream>
+
+using namespace tool;
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+namespace {
+
+/// What a submission's author must learn: the outcome, why, and that this is a grade (exit code 0).
+void expectEnd(const Graded& graded, const std::string& outcome,
+               const testing::Matcher<std::string>& detail) {
+  EXPECT_EQ(graded.ended.exitCode, 0) << graded.ended.errors;
+  EXPECT_EQ(graded.outcome(), outcome);
+  EXPECT_THAT(graded.detail(), detail);
+  EXPECT_THAT(graded.ended.out, HasSubstr(outcome));
+}
+
+/// The solution with a statement before each swap, or after it.
+Submission beforeSwap(const std::string& statement) {
+  return std::move(Submission::solution().replace("floor.cpp", "    window.swapBuffers();\n",
+                                                  statement + "    window.swapBuffers();\n"));
+}
+Submission afterSwap(const std::string& statement) {
+  return std::move(Submission::solution().replace("floor.cpp", "    window.swapBuffers();\n",
+                                                  "    window.swapBuffers();\n" + statement));
+}
+
+TEST(Outcome, BuildFailedNamesTheStudentsLine) {
+  const Graded graded = grade(Submission::example("build_error"));
+  expectEnd(graded, "build_failed",
+            AllOf(ContainsRegex("floor\\.cpp:141:[0-9]+: error"), HasSubstr("fboWidth"),
+                  Not(HasSubstr("/submission"))));
+  EXPECT_EQ(graded.results.at("score"), 0);
+  EXPECT_THAT(graded.results.at("output").get<std::string>(),
+              HasSubstr("glViewport(0, 0, fboWidth"));
+}
+
+TEST(Outcome, ShaderErrorNamesFileLineAndColumn) {
+  const Graded graded = grade(Submission::example("shader_error"));
+  expectEnd(graded, "shader_error",
+            AllOf(ContainsRegex("tile\\.frag:51:[0-9]+: error"), HasSubstr("uWindow")));
+  EXPECT_EQ(graded.results.at("score"), 0);
+}
+
+TEST(Outcome, GlErrorNamesTheCallAndKeepsTheScore) {
+  const Graded graded = grade(beforeSwap("    glEnable(GL_TEXTURE_2D);\n"));
+  expectEnd(graded, "gl_error", AllOf(HasSubstr("GL_INVALID_ENUM"), HasSubstr("glEnable")));
+  EXPECT_EQ(graded.score(), 100);
+}
+
+TEST(Outcome, NoFrameWhenACommentSwallowsTheSwap) {
+  const Graded graded = grade(Submission::example("never_swaps"));
+  expectEnd(graded, "no_frame", HasSubstr("glfwSwapBuffers"));
+  EXPECT_EQ(graded.results.at("score"), 0);
+  // The compiler saw it coming.
+  EXPECT_THAT(graded.results.at("output").get<std::string>(), HasSubstr("multi-line comment"));
+}
+
+TEST(Outcome, NoFrameWhenTheProgramEndsAtOnce) {
+  const Graded graded = grade(Submission::program("#include <gg/gg.hpp>\n"
+                                                  "void app(const gg::Scene&) {}\n"));
+  expectEnd(graded, "no_frame", HasSubstr("0 of 2 frames came"));
+  EXPECT_EQ(graded.results.at("score"), 0);
+}
+
+TEST(Outcome, Timeout) {
+  const Graded graded = grade(afterSwap("    for (volatile int i = 0; i >= 0; i = 0) {}\n"));
+  expectEnd(graded, "timeout", AllOf(HasSubstr("1 of 2 frames came"), ContainsRegex("[0-9]+ s")));
+  EXPECT_EQ(graded.results.at("score"), 0);
+}
+
+TEST(Outcome, CrashNamesTheSignal) {
+  const Graded graded = grade(Submission::example("crash"));
+  expectEnd(graded, "crash", AllOf(HasSubstr("SIGSEGV"), HasSubstr("0 of 2 frames came")));
+  EXPECT_EQ(graded.results.at("score"), 0);
+}
+
+TEST(Outcome, CrashByAnUncaughtExceptionQuotesIt) {
+  const Graded graded = grade(afterSwap("    std::vector<int>(3).at(7) = 1;\n"));
+  expectEnd(graded, "crash",
+            AllOf(HasSubstr("vector::_M_range_check"), HasSubstr("1 of 2 frames")));
+}
+
+TEST(Outcome, CrashByAbort) {
+  const Graded graded = grade(afterSwap("    std::abort();\n"));
+  expectEnd(graded, "crash", AllOf(HasSubstr("SIGABRT"), HasSubstr("1 of 2 frames came")));
+}
+
+TEST(Outcome, OutOfMemory) {
+  const Graded graded = grade(
+      afterSwap("    static std::vector<std::vector<char>> held;\n"
+                "    for (;;) held.emplace_back(32 << 20, static_cast<char>(held.size()));\n"));
+  expectEnd(graded, "out_of_memory", AllOf(HasSubstr("memory"), HasSubstr("of 2 frames came")));
+  EXPECT_EQ(graded.results.at("score"), 0);
+}
+
+TEST(Outcome, BadOutputWhenTheSharedMemoryHoldsGarbage) {
+  // The descriptor is closed and its number forgotten by then; the mapping is still there.
+  Submission garbage = afterSwap(R"(
+    std::ifstream maps("/proc/self/maps");
+    for (std::string line; std::getline(maps, line);) {
+      unsigned long from = 0;
+      if (line.find("ggrade-capture") == line.npos || std::sscanf(line.c_str(), "%lx", &from) != 1)
+        continue;
+      std::fill_n(reinterpret_cast<char*>(from) + 1024, 8192, '\xff');
+      _exit(0);
+    }
+)");
+  garbage.replace("floor.cpp", "#include <gg/gg.hpp>\n",
+                  "#include <gg/gg.hpp>\n#include <fstream>\n#include <unistd.h>\n");
+  const Graded graded = grade(garbage);
+  expectEnd(graded, "bad_output", HasSubstr("makes no sense"));
+  EXPECT_EQ(graded.results.at("score"), 0);
+}
+
+/// The process of `name` whose parent is `parent`; 0 if there is none.
+pid_t childNamed(pid_t parent, const std::string& name) {
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string number = entry.path().filename();
+    if (number.find_first_not_of("0123456789") != number.npos) continue;
+    std::ifstream status(entry.path() / "stat"), line(entry.path() / "cmdline");
+    std::string text, words;
+    std::getline(status, text);
+    std::getline(line, words);
+    int of = 0;
+    const std::size_t close = text.rfind(')');
+    if (close == text.npos || std::sscanf(text.c_str() + close, ") %*c %d", &of) != 1) continue;
+    if (of == parent && words.find(name) != words.npos) return std::stoi(number);
+  }
+  return 0;
+}
+
+TEST(Outcome, NotGradableWhenTheJudgeDies) {
+  const Submission solution = Submission::solution();
+  const TemporaryFolder results;
+  Running running(words({"grade", "mirror", solution.path(), "--out", results.path() / "out"}));
+  pid_t judge = 0;
+  for (int i = 0; i < 20000 && !judge; ++i) judge = childNamed(running.pid(), "judge");
+  ASSERT_NE(judge, 0) << running.errors();
+  kill(judge, SIGKILL);
+  const Ended ended = running.wait(60);
+  EXPECT_EQ(ended.exitCode, 1);
+  const auto json = nlohmann::json::parse(read(results.path() / "out/results.json"));
+  EXPECT_EQ(json.at("extra_data").at("outcome"), "not_gradable");
+  EXPECT_TRUE(json.at("score").is_null());
+  EXPECT_EQ(json.at("extra_data").at("detail"), "the judge died of signal 9");
+  EXPECT_THAT(ended.out, HasSubstr("not_gradable"));
+}
+
+TEST(Outcome, ForgedResultsAndAnEarlyExitEarnNothing) {
+  // Frames come through shared memory alone: what a program prints, what it
+  // exits with and what it leaves behind earn nothing.
+  const Graded graded = grade(Submission::program(
+      "#include <gg/gg.hpp>\n"
+      "#include <fstream>\n"
+      "void app(const gg::Scene&) {\n"
+      "  std::puts(\"[  PASSED  ] 8 tests.\");\n"
+      "  std::puts(\"{\\\"id\\\":\\\"mirror.where\\\",\\\"earned\\\":25,\\\"credit\\\":1,\"\n"
+      "            \"\\\"message\\\":\\\"\\\",\\\"credits\\\":[]}\");\n"
+      "  for (const char* name : {\"items.jsonl\", \"results.json\", \"/tmp/items.jsonl\",\n"
+      "                           \"/submission/items.jsonl\"})\n"
+      "    std::ofstream(name) << \"{\\\"id\\\":\\\"mirror.where\\\",\\\"earned\\\":25}\\n\";\n"
+      "  std::exit(0);\n"
+      "}\n"));
+  expectEnd(graded, "no_frame", HasSubstr("0 of 2 frames came"));
+  EXPECT_EQ(graded.results.at("score"), 0);
+}
+
+} // namespace

@@ -1,0 +1,8 @@
+# The real tool on real submissions: every kind of end, every score that is promised.
+add_library(grading_tool STATIC tool.cpp)
+target_link_libraries(grading_tool PUBLIC ggrade_grading ggrade_authoring ggrade_png GTest::gmock)
+target_compile_definitions(grading_tool PUBLIC GGRADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+  GGRADE_BUILD_DIR="${CMAKE_BINARY_DIR}")
+file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/grade_*_test.cpp)
+ggrade_test(grading_test grading SOURCES ${sources} LIBRARIES grading_tool TIMEOUT 300)
+add_dependencies(grading_test ggrade_tool ggrade_compare floor floor_solution)
