@@ -8,6 +8,8 @@
 #include "report/text.hpp"
 
 #include <fmt/format.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
 
 #include <algorithm>
 #include <chrono>
@@ -46,6 +48,11 @@ report::Frame compareFrames(const Image& student, const Image& reference, double
   return frame;
 }
 
+std::string hashOf(const rubric::RawFrame& frame) {
+  const XXH128_hash_t hash = XXH3_128bits(frame.pixels.data(), frame.pixels.size());
+  return fmt::format("{}x{}:{:016x}{:016x}", frame.width, frame.height, hash.high64, hash.low64);
+}
+
 /// What the capture saw that a student would want to know, in words.
 std::vector<std::string> remarks(const channel::Capture& capture) {
   std::vector<std::string> all;
@@ -78,9 +85,11 @@ report::Scene describe(const rubric::SceneFolders& folders, const Rendering& ren
   scene.messages = remarks(rendering.capture);
   const auto student = rawFrames(rendering.capture);
   const auto reference = rubric::readFrames(folders.reference);
-  for (std::size_t i = 0; i < reference.size(); ++i)
+  for (std::size_t i = 0; i < reference.size(); ++i) {
     scene.frames.push_back(compareFrames(i < student.size() ? rubric::toImage(student[i]) : Image(),
                                          rubric::toImage(reference[i]), reference[i].time));
+    if (i < student.size()) scene.frames.back().hash = hashOf(student[i]);
+  }
   return scene;
 }
 

@@ -55,6 +55,7 @@ struct Frame {
   double time = 0; ///< seconds
   Image student, reference, difference;
   double wrongShare = 0; ///< of all pixels, tolerant comparison
+  std::string hash;      ///< of the student's bytes: equal hashes are bit-identical frames
 };
 
 struct Scene {

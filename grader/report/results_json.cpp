@@ -115,7 +115,9 @@ Json extraData(const Result& result) {
   for (const Scene& scene : result.scenes) {
     Json frames = Json::array();
     for (const Frame& frame : scene.frames)
-      frames.push_back({{"time", value(frame.time)}, {"wrong_share", value(frame.wrongShare)}});
+      frames.push_back({{"time", value(frame.time)},
+                        {"wrong_share", value(frame.wrongShare)},
+                        {"hash", sanitizeLine(frame.hash)}});
     data["scenes"].push_back({{"name", sanitizeLine(scene.name)},
                               {"public", scene.isPublic},
                               {"outcome", sanitizeLine(scene.outcome)},
