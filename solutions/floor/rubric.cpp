@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace {
 
@@ -182,28 +183,75 @@ GGRADE_ITEM("mirror.shading", [](const View& view) {
   });
 });
 
-/// The reflection's pixels where the light that a frame adds to the floor has the hue of the object
-/// that is reflected there, to 8 degrees of angle between the colours. Brightness doesn't count.
+using Colour = std::array<float, 3>;
+
+/// Cosine of the angle between two colours: 1 for the same hue, however bright. 0 if one is black.
+float sameHue(const Colour& a, const Colour& b) {
+  const auto dot = [](const Colour& u, const Colour& v) {
+    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+  };
+  const float size = dot(a, a) * dot(b, b);
+  return size > 1e-6f ? dot(a, b) / std::sqrt(size) : 0;
+}
+
+Colour colourAt(const Image& image, int x, int y) {
+  return {image.at(x, y, 0), image.at(x, y, 1), image.at(x, y, 2)};
+}
+
+/// The light that the reflection adds to the floor at a pixel.
+Colour added(const Image& image, const Image& plain, int x, int y) {
+  return {image.at(x, y, 0) - plain.at(x, y, 0), image.at(x, y, 1) - plain.at(x, y, 1),
+          image.at(x, y, 2) - plain.at(x, y, 2)};
+}
+
+/// Two colours within 8 degrees are the same object's.
+const float kOneObject = std::cos(8 * 3.14159265f / 180);
+
+/// The reflection's pixels where a frame adds light of the hue of the object that is reflected
+/// there.
 Mask rightHue(const View& view, std::size_t frame, const Image& image) {
-  static const float kCosine = std::cos(8 * 3.14159265f / 180);
   const Image& plain = view.scene.probes.at("plain").at(frame);
   const Image& flat = view.scene.probes.at("reflections").at(frame);
   const Mask region = erode(regionsOf(view.scene, frame).reflection, 1);
   Mask right(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      if (region.at(x, y) && sameHue(added(image, plain, x, y), colourAt(flat, x, y)) > kOneObject)
+        right.set(x, y);
+  return right;
+}
+
+/// The flat colours of a probe, one an object.
+std::set<Colour> palette(const Image& probe, const Mask& region) {
+  std::set<Colour> colours;
+  for (int y = 0; y < probe.height(); ++y)
+    for (int x = 0; x < probe.width(); ++x)
+      if (region.at(x, y)) colours.insert(colourAt(probe, x, y));
+  return colours;
+}
+
+/// Pixels of `region` where a frame shows another object than the one that belongs there, or none.
+/// A highlight whitens the hue, and bad lighting darkens it: neither makes it another object's.
+Mask wrongObject(const View& view, std::size_t frame, const Mask& region) {
+  const Image& image = view.frames.at(frame);
+  const Image& plain = view.scene.probes.at("plain").at(frame);
+  const Image& flat = view.scene.probes.at("reflections").at(frame);
+  const std::set<Colour> colours = palette(flat, region);
+  Mask wrong(image.width(), image.height());
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
       if (!region.at(x, y)) continue;
-      float dot = 0, added = 0, own = 0;
-      for (int c = 0; c < 3; ++c) {
-        const float light = image.at(x, y, c) - plain.at(x, y, c);
-        dot += light * flat.at(x, y, c);
-        added += light * light;
-        own += flat.at(x, y, c) * flat.at(x, y, c);
-      }
-      if (dot > kCosine * std::sqrt(added * own) && added > 1e-5f) right.set(x, y);
+      const Colour light = added(image, plain, x, y);
+      const float right = sameHue(light, colourAt(flat, x, y));
+      const bool none = right == 0;
+      const bool other = right < kOneObject &&
+                         std::any_of(colours.begin(), colours.end(), [&](const Colour& colour) {
+                           return sameHue(light, colour) > std::max(kOneObject, right);
+                         });
+      if (none || other) wrong.set(x, y);
     }
   }
-  return right;
+  return wrong;
 }
 
 GGRADE_ITEM("mirror.position", [](const View& view) {
@@ -224,7 +272,7 @@ GGRADE_ITEM("mirror.hidden", [](const View& view) {
     const Mask reachable =
         rightHue(view, i, view.scene.reference.at(i)) & regionsOf(view.scene, i).meeting;
     if (tooSmall(reachable)) return {1, "nothing to see in this frame"};
-    const Mask wrong = reachable & ~rightHue(view, i, view.frames.at(i));
+    const Mask wrong = wrongObject(view, i, reachable);
     // The densest window: a hidden object may be small in a large picture.
     const Window densest = densestWindow(wrong);
     // Nothing is hidden rightly by a reflection that isn't there.
