@@ -144,19 +144,20 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
     all.scenes.push_back(std::move(folders));
   }
 
-  all.shaders.folder = cacheFolder() / "shaders" / reference.key;
+  all.shaders.folder = cacheFolder() / "shaders" / stub.key;
   if (jobs.empty() && fs::exists(all.shaders.folder)) return all;
   progress("building the reference and the stub", 0, jobs.size() + 1);
   build(assignment, reference);
   build(assignment, stub);
   if (!fs::exists(all.shaders.folder)) {
-    // Only a run that can write to the host's folder warms the cache: trusted, outside the sandbox.
+    // Warmed by the stub, never by the reference: every submission can read its copy. Only a run
+    // that can write to the host's folder warms it: trusted, outside the sandbox.
     TemporaryFolder warm(cacheFolder() / "shaders");
     for (const SceneCase& scene : plan.scenes)
-      requireGood(renderScene(assignment.id, reference.folder, scene.scene, {0}, {warm.path()},
-                              Isolation::none)
-                      .happened,
-                  reference.what);
+      requireGood(
+          renderScene(assignment.id, stub.folder, scene.scene, {0}, {warm.path()}, Isolation::none)
+              .happened,
+          stub.what);
     std::error_code raced;
     fs::rename(warm.path(), all.shaders.folder, raced);
   }

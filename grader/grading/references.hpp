@@ -15,7 +15,7 @@ using Progress = std::function<void(const std::string& what, std::size_t done, s
 
 struct References {
   std::vector<rubric::SceneFolders> scenes; ///< all but the students' folders is filled in
-  ShaderCache shaders;                      ///< warmed by the reference
+  ShaderCache shaders;                      ///< warmed by the stub
 };
 
 /// Makes sure that everything of `plan` is rendered, in the sandbox like a submission, and says
