@@ -21,9 +21,9 @@ solutionFolder(const std::string& assignment); ///< throws UsageError if there i
 /// Ends the command (kNoSandbox) with the remedy unless the sandbox holds.
 void requireSandbox();
 
-/// The folder may be made and written to; throws UsageError with the remedy before any work is
-/// done.
-void requireWritable(const std::filesystem::path& folder);
+/// The folder that --out names, without a slash at its end. Throws UsageError with the remedy,
+/// before any work is done, unless it can be made or replaced (see grading::requireReplaceable).
+std::filesystem::path outputFolder(const std::string& named, const std::string& marker);
 
 void addList(CLI::App& app);
 void addRender(CLI::App& app);

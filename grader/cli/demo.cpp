@@ -47,8 +47,7 @@ std::vector<Example> examples(const Assignment& assignment, const fs::path& solu
 }
 
 void demo(const std::string& outText, bool asJson) {
-  const fs::path out = outText;
-  requireWritable(out);
+  const fs::path out = outputFolder(outText, "index.html");
   requireSandbox();
   Progress progress("demo");
   std::vector<report::Result> results;

@@ -25,9 +25,14 @@ void grade(const Options& options) {
   const fs::path solutions = solutionFolder(target.assignment.id);
   fs::path upload = fs::path(options.upload).lexically_normal();
   const std::string name = fs::weakly_canonical(upload).filename().string();
-  const fs::path out =
-      options.out.empty() ? fs::path("out") / options.id / name : fs::path(options.out);
-  requireWritable(out);
+  for (const std::string& argument : options.judgeArguments)
+    if (!argument.starts_with("--gtest_"))
+      throw UsageError(fmt::format("\"{}\": after -- stand arguments for GoogleTest, such as "
+                                   "--gtest_filter=mirror.shading",
+                                   argument));
+  const fs::path out = outputFolder(options.out.empty() ? fs::path("out") / options.id / name
+                                                        : fs::path(options.out),
+                                    kResultMarker);
   requireSandbox();
 
   Progress progress("grading " + name);
@@ -52,8 +57,13 @@ void addGrade(CLI::App& app) {
   command->add_option("ID", options->id, "Assignment or part (see ggrade list)")->required();
   command->add_option("DIR", options->upload, "The folder with the submitted files")->required();
   command->add_option("--out", options->out, "Where the results go (default out/ID/NAME)");
-  auto* seed = command->add_option("--seed", options->seed,
-                                   "Draws other hidden scenes (default: the assignment's)");
+  auto* seed = command
+                   ->add_option("--seed", options->seed,
+                                "Draws other hidden scenes (default: the assignment's)")
+                   ->check([](const std::string& text) {
+                     const bool digits = text.find_first_not_of("0123456789") == text.npos;
+                     return digits ? std::string() : text + " is not a whole number from 0";
+                   });
   command->add_option("--reveal", options->reveal, "What the student's page says of hidden scenes")
       ->check(CLI::IsMember({"none", "names", "details"}))
       ->capture_default_str();

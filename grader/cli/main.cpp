@@ -77,18 +77,21 @@ void requireSandbox() {
     throw NoSandbox("no sandbox: " + *reason + "\nSubmissions are not run without one.");
 }
 
-void requireWritable(const fs::path& folder) {
+fs::path outputFolder(const std::string& named, const std::string& marker) {
+  fs::path folder = fs::path(named).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();
+  if (folder.empty() || folder == "." || folder == "..")
+    folder = fs::canonical(fs::absolute(named));
+  grading::requireReplaceable(folder, marker);
+  // Tried, not asked: root may write everywhere but in /proc.
+  fs::path there = fs::absolute(folder).parent_path();
   std::error_code error;
-  fs::path there = fs::absolute(folder);
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, error))
     throw UsageError(
         fmt::format("{} is not a folder: name another one with --out", there.string()));
-  if (access(there.c_str(), W_OK | X_OK) != 0)
-    throw UsageError(
-        fmt::format("can't write to {}: {}. Name another folder with --out, or give yourself "
-                    "write permission",
-                    there.string(), std::strerror(errno)));
+  grading::TemporaryFolder probe(there);
+  return folder;
 }
 
 } // namespace ggrade::cli

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iostream>
 
 namespace ggrade::cli {
@@ -34,14 +35,23 @@ struct Size {
 
 Size parseSize(const std::string& text) {
   if (text.empty()) return {};
-  Size size;
+  // Wide enough that a number which is too large stays one.
+  unsigned long long width = 0, height = 0;
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%ux%u%c", &size.width, &size.height, &rest) != 2 ||
-      size.width < 1 || size.height < 1 || size.width > channel::kMaxSide ||
-      size.height > channel::kMaxSide)
+  if (std::sscanf(text.c_str(), "%llux%llu%c", &width, &height, &rest) != 2 || width < 1 ||
+      height < 1 || width > channel::kMaxSide || height > channel::kMaxSide)
     throw UsageError(fmt::format("--size {}: must be WIDTHxHEIGHT, such as 640x480, each 1 to {}",
                                  text, channel::kMaxSide));
-  return size;
+  return {std::uint32_t(width), std::uint32_t(height)};
+}
+
+void checkTimes(const std::vector<double>& times) {
+  for (double time : times)
+    if (!std::isfinite(time) || time < 0)
+      throw UsageError(fmt::format("--times {}: a time is a number of seconds from 0", time));
+  if (times.size() > channel::kMaxFrames)
+    throw UsageError(fmt::format("--times: {} frames are more than {}: render them in parts",
+                                 times.size(), channel::kMaxFrames));
 }
 
 /// Which assignment a folder of files belongs to: the one whose program it holds.
@@ -68,14 +78,13 @@ grading::Rendering renderTarget(const Options& options, Progress& progress) {
   const Isolation isolation = upload ? Isolation::bwrap : Isolation::none;
   if (upload) requireSandbox();
 
-  json scene = readJson(options.scene.empty() ? target.assignment.folder / "scene.json"
-                                              : fs::path(options.scene));
+  json scene = grading::readScene(target.assignment, options.scene.empty()
+                                                         ? target.assignment.folder / "scene.json"
+                                                         : fs::path(options.scene));
   if (options.scene.empty())
     for (const Part& part : target.parts) scene.merge_patch(part.scene);
   const Size size = parseSize(options.size);
   if (size.width) scene["size"] = {size.width, size.height};
-  grading::checkScene(target.assignment, scene,
-                      options.scene.empty() ? "scene.json" : options.scene);
 
   grading::TemporaryFolder work;
   grading::overlay(target.assignment, sources, work.path());
@@ -117,7 +126,8 @@ json trace(const grading::Rendering& rendering) {
 }
 
 void render(const Options& options) {
-  requireWritable(options.out);
+  const fs::path out = outputFolder(options.out, "trace.json");
+  checkTimes(options.times);
   Progress progress("render");
   if (options.program.empty() && options.target.empty())
     throw UsageError(
@@ -129,19 +139,19 @@ void render(const Options& options) {
           : grading::renderProgram(options.program, options.times, size.width, size.height);
   progress.clear();
 
-  grading::TemporaryFolder work(fs::absolute(options.out).lexically_normal().parent_path());
+  grading::TemporaryFolder work(fs::absolute(out).parent_path());
   const auto frames = grading::rawFrames(rendering.capture);
   for (std::size_t i = 0; i < frames.size(); ++i)
     writePng(work.path() / fmt::format("frame-{}.png", i), rubric::toImage(frames[i]));
   const json trace = cli::trace(rendering);
   report::writeFile(work.path() / "trace.json", trace.dump(2) + '\n');
-  work.publish(options.out, "trace.json");
+  work.publish(out, "trace.json");
 
   if (options.json) {
     std::cout << trace.dump(2) << '\n';
   } else {
     fmt::print("{}: {} frames in {}\n", report::name(rendering.happened.outcome), frames.size(),
-               options.out);
+               out.string());
     for (const channel::CapturedMessage& message : rendering.capture.messages)
       if (message.kind != channel::MessageKind::capture)
         fmt::print("  frame {}: {}\n", message.frame, message.text);

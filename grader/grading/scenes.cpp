@@ -69,14 +69,29 @@ json partScene(const Target& target) {
 
 } // namespace
 
-void checkScene(const Assignment& assignment, const json& scene, const std::string& name) {
+namespace {
+
+void checkText(const Assignment& assignment, const std::string& text, const std::string& name) {
   try {
     const gg::Declarations declared =
         gg::Declarations::fromFile((assignment.folder / "assignment.json").string());
-    gg::Scene::fromText(scene.dump(2), name, declared);
+    gg::Scene::fromText(text, name, declared);
   } catch (const gg::SceneError& error) {
     throw UsageError(error.what());
   }
+}
+
+} // namespace
+
+void checkScene(const Assignment& assignment, const json& scene, const std::string& name) {
+  checkText(assignment, scene.dump(2), name);
+}
+
+json readScene(const Assignment& assignment, const fs::path& file) {
+  const json scene = readJson(file);
+  // As it stands in the file: the line of a wrong key is its line there.
+  checkText(assignment, readFile(file), file.string());
+  return scene;
 }
 
 json handoutScene(const Assignment& assignment, const Part& part, const json& settings,

@@ -37,6 +37,8 @@ ScenePlan drawScenes(const Target& target, const std::filesystem::path& solution
 
 /// Throws UsageError, with `name`, unless the scene is one that assignment.json allows.
 void checkScene(const Assignment& assignment, const nlohmann::json& scene, const std::string& name);
+/// Reads a scene file that a person wrote. Throws UsageError as `file:line: key: ...`.
+nlohmann::json readScene(const Assignment& assignment, const std::filesystem::path& file);
 
 /// The scene of the handout's picture of step `k` (0: nothing done yet) of a part: the assignment's
 /// scene, the part's, `settings["scene"]`, and the one given for this step.

@@ -26,6 +26,18 @@ void catchInterrupts() {
   signal(SIGPIPE, SIG_IGN);
 }
 
+void requireReplaceable(const fs::path& folder, const std::string& marker) {
+  std::error_code none;
+  if (!fs::exists(folder, none)) return;
+  if (!fs::is_directory(folder, none))
+    throw UsageError(
+        fmt::format("{} is not a folder: name another one with --out", folder.string()));
+  if (!fs::is_empty(folder) && !fs::exists(folder / marker))
+    throw UsageError(fmt::format("{} exists and holds no earlier result ({}): name another folder "
+                                 "with --out, or remove it",
+                                 folder.string(), marker));
+}
+
 TemporaryFolder::TemporaryFolder(const fs::path& parent) {
   std::error_code error;
   const fs::path base = parent.empty() ? fs::temp_directory_path() : parent;
@@ -47,12 +59,8 @@ TemporaryFolder::~TemporaryFolder() {
 
 void TemporaryFolder::publish(const fs::path& final, const std::string& marker) {
   // One step either way: exchanged with an earlier result, or moved into place.
+  requireReplaceable(final, marker);
   if (fs::exists(final)) {
-    if (!fs::is_directory(final) || (!fs::is_empty(final) && !fs::exists(final / marker)))
-      throw UsageError(
-          fmt::format("{} exists and holds no earlier result ({}): name another folder "
-                      "with --out, or remove it",
-                      final.string(), marker));
     if (renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, final.c_str(), RENAME_EXCHANGE) == 0) return;
     fs::remove_all(final); // a file system that can't exchange
   }

@@ -17,6 +17,10 @@ void catchInterrupts();
 /// Thrown where `interrupted` was seen; ends the tool with exit code 130.
 struct Interrupted {};
 
+/// Throws UsageError with the remedy if `folder` exists and is neither empty nor an earlier result,
+/// which holds a file called `marker`.
+void requireReplaceable(const std::filesystem::path& folder, const std::string& marker);
+
 /// A private folder (mode 0755, random name) that is removed with everything in it.
 class TemporaryFolder {
 public:
@@ -27,8 +31,8 @@ public:
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Moves the folder to `final` in one step. A folder that stands there is replaced if it looks
-  /// like an earlier result (see `marker`), else it is a UsageError.
+  /// Moves the folder to `final` in one step. What stands there is replaced, see
+  /// requireReplaceable.
   void publish(const std::filesystem::path& final, const std::string& marker);
 
 private:
