@@ -168,6 +168,7 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
   std::vector<Rendering> renderings(references.scenes.size());
   {
     const Stopwatch time(result, "render");
+    progress("rendering", 1, steps);
     std::atomic<std::size_t> done{1};
     std::atomic<bool> hangs{false};
     inParallel(renderings.size(), workers(), [&](std::size_t i) {
