@@ -58,12 +58,13 @@ std::vector<std::string> remarks(const channel::Capture& capture) {
   std::vector<std::string> all;
   for (std::size_t i = 0; i < capture.frames.size(); ++i) {
     const channel::CapturedFrame& frame = capture.frames[i];
-    if (frame.windowDraws == 0)
-      all.push_back(fmt::format("frame {}: nothing was drawn to the window", i + 1));
+    // The cause before its effect: the first remark is the one that a table shows.
     if (frame.boundFramebuffer != 0)
       all.push_back(fmt::format("frame {}: a framebuffer object ({}) was still bound at the swap: "
                                 "bind 0 before you draw to the window",
                                 i + 1, frame.boundFramebuffer));
+    if (frame.windowDraws == 0)
+      all.push_back(fmt::format("frame {}: nothing was drawn to the window", i + 1));
     if (frame.windowSrgb)
       all.push_back(
           fmt::format("frame {}: GL_FRAMEBUFFER_SRGB was on, but the window is linear", i + 1));
