@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace ggrade::cli {
 
@@ -14,6 +16,9 @@ enum ExitCode : int { kDone = 0, kNotGradable = 1, kUsage = 2, kNoSandbox = 3, k
 
 /// Set by the command that ran.
 extern int exitCode;
+
+/// What stands after `--`, word for word: a program, or GoogleTest's arguments.
+extern std::vector<std::string> afterDashes;
 
 std::filesystem::path assignmentsFolder();
 std::filesystem::path

@@ -17,7 +17,6 @@ struct Options {
   std::string id, upload, out, reveal = "names";
   std::uint64_t seed = 0;
   bool haveSeed = false, solution = false, json = false;
-  std::vector<std::string> judgeArguments;
 };
 
 void grade(const Options& options) {
@@ -25,7 +24,7 @@ void grade(const Options& options) {
   const fs::path solutions = solutionFolder(target.assignment.id);
   fs::path upload = fs::path(options.upload).lexically_normal();
   const std::string name = fs::weakly_canonical(upload).filename().string();
-  for (const std::string& argument : options.judgeArguments)
+  for (const std::string& argument : afterDashes)
     if (!argument.starts_with("--gtest_"))
       throw UsageError(fmt::format("\"{}\": after -- stand arguments for GoogleTest, such as "
                                    "--gtest_filter=mirror.shading",
@@ -40,7 +39,7 @@ void grade(const Options& options) {
   how.upload = upload;
   how.solution = options.solution;
   if (options.haveSeed) how.seed = options.seed;
-  how.judgeArguments = options.judgeArguments;
+  how.judgeArguments = afterDashes;
   how.progress = std::ref(progress);
   const report::Result result = grading::grade(target, solutions, how);
   progress.clear();
@@ -69,9 +68,8 @@ void addGrade(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--solution", options->solution, "DIR is a trusted folder of solutions/");
   command->add_flag("--json", options->json, "Print results.json on stdout");
-  command->add_option("ARGUMENTS", options->judgeArguments,
-                      "After --: arguments for GoogleTest, such as --gtest_filter=mirror.*");
   command->footer(
+      "After -- stand arguments for GoogleTest, such as --gtest_filter=mirror.where.\n"
       "Exit codes: 0 graded (whatever the score), 1 could not be graded, 2 usage, 3 no sandbox.\n\n"
       "Examples:\n"
       "  ggrade grade mirror uploads/ada\n"

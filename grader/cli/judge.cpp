@@ -9,15 +9,12 @@ void addJudge(CLI::App& app) {
   auto* command = app.add_subcommand("judge", "Judges rendered frames (used by grade)")->group("");
   struct Options {
     std::string evidence, results;
-    std::vector<std::string> arguments;
   };
   auto options = std::make_shared<Options>();
   command->add_option("EVIDENCE", options->evidence)->required();
   command->add_option("RESULTS", options->results)->required();
-  command->add_option("ARGUMENTS", options->arguments);
-  command->callback([options] {
-    exitCode = rubric::runJudge(options->evidence, options->results, options->arguments);
-  });
+  command->callback(
+      [options] { exitCode = rubric::runJudge(options->evidence, options->results, afterDashes); });
 }
 
 } // namespace ggrade::cli

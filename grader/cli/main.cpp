@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -17,6 +18,7 @@ namespace ggrade::cli {
 namespace fs = std::filesystem;
 
 int exitCode = kDone;
+std::vector<std::string> afterDashes;
 
 namespace {
 
@@ -50,8 +52,16 @@ int run(int argc, char** argv) {
   addDemo(app);
   addDerive(app);
   addJudge(app);
+  // Not CLI11's own `--`, which gives the next word to whatever positional is still open.
+  char** const end = argv + argc;
+  char** const dashes =
+      std::find_if(argv + 1, end, [](const char* word) { return std::strcmp(word, "--") == 0; });
+  if (dashes != end) afterDashes.assign(dashes + 1, end);
+  const std::string command = argc > 1 ? argv[1] : "";
+  if (!afterDashes.empty() && command != "grade" && command != "render" && command != "judge")
+    throw UsageError(fmt::format("{} takes nothing after --: run with --help", command));
   try {
-    app.parse(argc, argv);
+    app.parse(int(dashes - argv), argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kDone : kUsage;
   }

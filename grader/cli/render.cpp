@@ -12,7 +12,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
+#include <sstream>
+
+#include <unistd.h>
 
 namespace ggrade::cli {
 
@@ -26,7 +30,6 @@ struct Options {
   std::string target, out, scene, size;
   std::vector<double> times = {0};
   bool solution = false, json = false;
-  std::vector<std::string> program;
 };
 
 struct Size {
@@ -95,6 +98,20 @@ grading::Rendering renderTarget(const Options& options, Progress& progress) {
   return grading::renderScene(id, work.path(), scene, options.times, {}, isolation);
 }
 
+/// The program that a shell would start. Throws UsageError if there is none.
+std::string findProgram(const std::string& name) {
+  const auto runs = [](const fs::path& path) {
+    std::error_code none;
+    return fs::is_regular_file(path, none) && access(path.c_str(), X_OK) == 0;
+  };
+  std::string searched = ".";
+  if (const char* path = std::getenv("PATH"); path && name.find('/') == name.npos) searched = path;
+  std::istringstream folders(searched);
+  for (std::string folder; std::getline(folders, folder, ':');)
+    if (const fs::path path = fs::absolute(fs::path(folder) / name); runs(path)) return path;
+  throw UsageError(fmt::format("there is no program {}: name one that can be run", name));
+}
+
 json trace(const grading::Rendering& rendering) {
   const channel::Capture& capture = rendering.capture;
   json frames = json::array(), messages = json::array();
@@ -129,14 +146,15 @@ void render(const Options& options) {
   const fs::path out = outputFolder(options.out, "trace.json");
   checkTimes(options.times);
   Progress progress("render");
-  if (options.program.empty() && options.target.empty())
-    throw UsageError(
-        "name an assignment, a folder, or a program after --; see ggrade render --help");
+  if (afterDashes.empty() == options.target.empty())
+    throw UsageError("name either an assignment or folder, or a program after --; see ggrade "
+                     "render --help");
   const Size size = parseSize(options.size);
+  if (!afterDashes.empty()) afterDashes[0] = findProgram(afterDashes[0]);
   const grading::Rendering rendering =
-      options.program.empty()
+      afterDashes.empty()
           ? renderTarget(options, progress)
-          : grading::renderProgram(options.program, options.times, size.width, size.height);
+          : grading::renderProgram(afterDashes, options.times, size.width, size.height);
   progress.clear();
 
   grading::TemporaryFolder work(fs::absolute(out).parent_path());
@@ -179,18 +197,13 @@ void addRender(CLI::App& app) {
   command->add_flag("--solution", options->solution,
                     "The reference instead of the assignment's own files");
   command->add_flag("--json", options->json, "Print trace.json on stdout");
-  command->add_option("PROGRAM", options->program,
-                      "After --: any GLFW program and its arguments, run as it is");
-  command->footer("Exit codes: 0 all frames came, 1 not, 2 usage, 3 no sandbox.\n\n"
+  command->footer("After -- stands any GLFW program with its arguments, run as it is.\n"
+                  "Exit codes: 0 all frames came, 1 not, 2 usage, 3 no sandbox.\n\n"
                   "Examples:\n"
                   "  ggrade render mirror --solution --out out/mirror\n"
                   "  ggrade render uploads/ada --times 0,0.5,1 --out out/ada\n"
                   "  ggrade render --out out/homework --size 640x480 -- ./homework --fast");
-  command->positionals_at_end(false);
-  command->callback([options] {
-    // What stands after -- is the program, also where TARGET was left out.
-    render(*options);
-  });
+  command->callback([options] { render(*options); });
 }
 
 } // namespace ggrade::cli
