@@ -1,0 +1,155 @@
+// Faulty submissions lose what they should, and the right item says so.
+
+#include "tool.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace tool;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::UnorderedElementsAre;
+
+namespace {
+
+TEST(Fault, LightNotMirrored) {
+  const Graded graded = grade(Submission::example("light_not_mirrored"));
+  EXPECT_EQ(graded.outcome(), "graded");
+  EXPECT_EQ(graded.earned("mirror.shading"), 0);
+  // Where the reflection is and whose it is stays right.
+  EXPECT_EQ(graded.earned("mirror.where"), 25);
+  EXPECT_EQ(graded.earned("mirror.position"), 20);
+  EXPECT_EQ(graded.earned("mirror.keep_picture"), 0);
+  EXPECT_THAT(graded.message("mirror.shading"), HasSubstr("pixels differ, densest at ("));
+  EXPECT_GE(graded.score(), 50);
+  EXPECT_LE(graded.score(), 75);
+}
+
+TEST(Fault, NoDepthAttachment) {
+  const Graded graded = grade(Submission::example("no_depth"));
+  EXPECT_EQ(graded.outcome(), "graded"); // complete without depth: no GL error
+  EXPECT_EQ(graded.earned("mirror.hidden"), 0);
+  EXPECT_EQ(graded.earned("mirror.where"), 25);
+  EXPECT_THAT(graded.message("mirror.hidden"), HasSubstr("another object than the nearest"));
+  EXPECT_GE(graded.score(), 50);
+  EXPECT_LT(graded.score(), 90);
+}
+
+TEST(Fault, ScaleOnTheWrongSideOfTheView) {
+  const Graded graded = grade(Submission::example("scale_on_the_left"));
+  EXPECT_EQ(graded.outcome(), "graded");
+  EXPECT_THAT(graded.lost(), Contains("mirror.where"));
+  EXPECT_EQ(graded.earned("mirror.position"), 0);
+  EXPECT_LT(graded.score(), 20);
+}
+
+TEST(Fault, CullingLeftTurned) {
+  const Graded graded = grade(Submission::example("culling_not_restored"));
+  EXPECT_EQ(graded.outcome(), "graded");
+  EXPECT_LT(graded.earned("mirror.keep_picture"), 0);
+  EXPECT_LT(graded.score(), 50);
+}
+
+TEST(Fault, FramebufferLeftBoundIsNamed) {
+  const Graded graded = grade(Submission::example("framebuffer_left_bound"));
+  EXPECT_EQ(graded.outcome(), "graded");
+  EXPECT_EQ(graded.results.at("score"), 0);
+  EXPECT_LT(graded.earned("mirror.keep_picture"), 0);
+  EXPECT_THAT(graded.detail(), HasSubstr("framebuffer object"));
+}
+
+TEST(Fault, NothingClips) {
+  // All but the step that is beyond the lecture.
+  const Graded graded = grade(std::move(Submission::solution().replace(
+      "floor.cpp", "scene.integer(\"quality.mirror_clip\") > 0", "false")));
+  EXPECT_THAT(graded.lost(), UnorderedElementsAre("mirror.clip"));
+  EXPECT_EQ(graded.score(), 85);
+}
+
+TEST(Fault, ClippedOnTheWrongSide) {
+  const Graded graded = grade(std::move(Submission::solution().replace(
+      "mirror.vert", "uClip ? world.y : 1", "uClip ? -world.y : 1")));
+  EXPECT_EQ(graded.earned("mirror.where"), 0);
+  EXPECT_EQ(graded.earned("mirror.clip"), 0);
+  EXPECT_LT(graded.score(), 10);
+}
+
+TEST(Fault, ClipDistanceLeftEnabled) {
+  // Shaders that write no clip distance are undefined then; what the next frame shows counts.
+  const Graded graded = grade(
+      std::move(Submission::solution().replace("floor.cpp", "glDisable(GL_CLIP_DISTANCE0);", ";")));
+  EXPECT_EQ(graded.outcome(), "graded");
+}
+
+TEST(Fault, ViewportKeptFromTheMirrorPass) {
+  const Graded graded = grade(std::move(Submission::solution().replace(
+      "floor.cpp", "      glViewport(0, 0, window.width(), window.height());\n", "")));
+  EXPECT_LT(graded.earned("mirror.keep_picture"), 0);
+  EXPECT_LT(graded.score(), 30);
+}
+
+TEST(Fault, ViewportOfTheWindowInTheMirrorPass) {
+  const Graded graded = grade(std::move(Submission::solution().replace(
+      "floor.cpp", "      glViewport(0, 0, reflection.size, reflection.size);\n", "")));
+  EXPECT_EQ(graded.earned("mirror.where"), 0);
+  EXPECT_EQ(graded.earned("mirror.position"), 0);
+  EXPECT_LT(graded.score(), 30);
+}
+
+TEST(Fault, DepthNotCleared) {
+  // Right in the first frame only.
+  const Graded graded = grade(std::move(Submission::solution().replace(
+      "floor.cpp",
+      "      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n      // END SOLUTION(mirror.2)",
+      "      glClear(GL_COLOR_BUFFER_BIT);\n      // END SOLUTION(mirror.2)")));
+  EXPECT_THAT(graded.lost(), Contains("mirror.hidden"));
+  EXPECT_LT(graded.score(), 70);
+}
+
+TEST(Fault, NormalsNotNegated) {
+  const Graded graded = grade(
+      std::move(Submission::solution().replace("mirror.vert", "  vNormal = -vNormal;\n", "")));
+  EXPECT_EQ(graded.earned("mirror.shading"), 0);
+  EXPECT_EQ(graded.earned("mirror.where"), 25);
+  EXPECT_EQ(graded.earned("mirror.position"), 20);
+  EXPECT_LT(graded.score(), 76);
+}
+
+TEST(Fault, UpsideDown) {
+  const Graded graded = grade(std::move(Submission::solution().replace(
+      "tile.frag", "    reflected = texture(uReflection, at).rgb;\n",
+      "    at.y = 1 - at.y;\n    reflected = texture(uReflection, at).rgb;\n")));
+  EXPECT_EQ(graded.earned("mirror.where"), 0);
+  EXPECT_EQ(graded.earned("mirror.position"), 0);
+  EXPECT_LT(graded.score(), 10);
+}
+
+TEST(Fault, ConstantsOfThePublicSceneTypedIn) {
+  // A viewport of 640x480 in place of the window's: right in public, wrong in hidden scenes.
+  const Graded graded = grade(std::move(
+      Submission::solution().replace("tile.frag", "    vec2 at = gl_FragCoord.xy / uViewport;\n",
+                                     "    vec2 at = gl_FragCoord.xy / vec2(640, 480);\n")));
+  EXPECT_THAT(graded.lost(), Contains("mirror.where"));
+  EXPECT_LT(graded.score(), 60);
+  for (const auto& frame : graded.results.at("extra_data").at("scenes").at(0).at("frames"))
+    EXPECT_EQ(frame.at("wrong_share"), 0);
+}
+
+TEST(Fault, NoBlurCostsTheBonusOnly) {
+  const Graded graded = grade(std::move(
+      Submission::solution().replace("tile.frag", "uBlurSigma > 0 && uBlurSamples > 0", "false")));
+  EXPECT_EQ(graded.score(), 100);
+  EXPECT_EQ(graded.bonus(), 0);
+}
+
+TEST(Fault, AFilterJudgesTheNamedItemsOnly) {
+  const Graded graded =
+      grade(Submission::example("no_depth"), {"--", "--gtest_filter=mirror.where"});
+  EXPECT_EQ(graded.ended.exitCode, 0);
+  EXPECT_EQ(graded.score(), 25);
+  for (const auto& item : graded.results.at("extra_data").at("items"))
+    EXPECT_EQ(item.at("judged"), item.at("id") == "mirror.where");
+}
+
+} // namespace

@@ -1,0 +1,279 @@
+// `ggrade render` and the commands around it; and that the reference draws only what a scene can
+// show.
+
+#include "tool.hpp"
+
+#include "image/compare.hpp"
+#include "image/png.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace tool;
+using nlohmann::json;
+using testing::AllOf;
+using testing::ContainsRegex;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+/// A scene file for the floor and what `ggrade render` makes of it.
+class Render : public testing::Test {
+protected:
+  /// Renders and returns the bytes of the frames' files.
+  std::vector<std::string> frames(const Arguments& arguments) {
+    Arguments all = {"render", "--out", out_};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Ended ended = runTool(all);
+    EXPECT_EQ(ended.exitCode, 0) << ended.errors;
+    std::vector<std::string> bytes;
+    if (ended.exitCode != 0) return bytes;
+    const json trace = this->trace();
+    for (const json& frame : trace.at("frames")) bytes.push_back(read(out_ / frame.at("image")));
+    return bytes;
+  }
+  /// Frames of the reference's program as it was built with the tool, in the scene with `patch`.
+  std::vector<std::string> reference(const json& patch, const Arguments& options = {}) {
+    json scene = json::parse(read(kSource / "assignments/floor/scene.json"));
+    scene["size"] = {320, 240};
+    scene.merge_patch(patch);
+    Arguments arguments = options;
+    arguments.insert(arguments.end(), {"--", kBuild / "solutions/floor/floor", "--scene",
+                                       folder_.write("scene.json", scene.dump())});
+    return frames(arguments);
+  }
+  json trace() { return json::parse(read(out_ / "trace.json")); }
+
+  TemporaryFolder folder_;
+  fs::path out_ = folder_.path() / "out";
+};
+
+TEST_F(Render, TargetsOfEveryKindAgree) {
+  const auto byId = frames({"floor", "--solution", "--size", "160x120"});
+  ASSERT_EQ(byId.size(), 1u);
+  EXPECT_EQ(frames({"mirror", "--solution", "--size", "160x120"}), byId);
+  EXPECT_EQ(frames({kSource / "solutions/floor", "--size", "160x120"}), byId);
+  // The assignment's own files are the stub.
+  const auto stub = frames({"floor", "--size", "160x120"});
+  EXPECT_NE(stub, byId);
+  EXPECT_EQ(frames({Submission::stub().path(), "--size", "160x120"}), stub);
+}
+
+TEST_F(Render, TraceSaysWhatWasDrawn) {
+  ASSERT_EQ(frames({"mirror", "--solution", "--size", "160x120", "--times", "0.5,0,2.25"}).size(),
+            3u);
+  EXPECT_THAT(names(out_), ElementsAre("frame-0.png", "frame-1.png", "frame-2.png", "trace.json"));
+  const json trace = this->trace();
+  EXPECT_EQ(trace.at("version"), 1);
+  EXPECT_EQ(trace.at("outcome"), "graded");
+  EXPECT_EQ(trace.at("rows"), "top first");
+  EXPECT_THAT(trace.at("gl_renderer").get<std::string>(), HasSubstr("llvmpipe"));
+  EXPECT_THAT(trace.at("messages").dump(), Not(HasSubstr("GL_")));
+  const double times[] = {0.5, 0, 2.25};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const json& frame = trace.at("frames").at(i);
+    EXPECT_EQ(frame.at("time"), times[i]);
+    EXPECT_EQ(frame.at("width"), 160);
+    EXPECT_EQ(frame.at("height"), 120);
+    EXPECT_EQ(frame.at("window_draws"), 7); // six objects and the floor
+    EXPECT_EQ(frame.at("window_clears"), 1);
+    EXPECT_EQ(frame.at("framebuffer_at_swap"), 0);
+    const ggrade::Image image = ggrade::readPng(out_ / frame.at("image").get<std::string>());
+    EXPECT_EQ(image.sizeText(), "160x120");
+  }
+}
+
+TEST_F(Render, AnyProgramOfAnybody) {
+  // 3.3.8's own API and nothing of ours: the window's size is the program's.
+  const fs::path source = folder_.write("tiny.cpp", R"(
+#include <GLFW/glfw3.h>
+#include <cstdio>
+int main(int argc, char** argv) {
+  if (!glfwInit()) return 1;
+  GLFWwindow* window = glfwCreateWindow(48, 32, argc > 1 ? argv[1] : "", nullptr, nullptr);
+  glfwMakeContextCurrent(window);
+  while (!glfwWindowShouldClose(window)) {
+    glClearColor(float(glfwGetTime()), 0.4f, argc > 2 ? 1.0f : 0.0f, 1);
+    glClear(GL_COLOR_BUFFER_BIT);
+    glfwSwapBuffers(window);
+    glfwPollEvents();
+  }
+  std::printf("closed\n");
+})");
+  const fs::path program = folder_.path() / "tiny";
+  const Ended built = Running({"/usr/bin/c++", source, "-o", program, "-lglfw", "-lGL"}).wait(60);
+  ASSERT_EQ(built.exitCode, 0) << built.errors;
+  ASSERT_EQ(frames({"--times", "0.2,0.6", "--", program, "title", "--blue"}).size(), 2u);
+  for (int i = 0; i < 2; ++i) {
+    const ggrade::Image image = ggrade::readPng(out_ / ("frame-" + std::to_string(i) + ".png"));
+    ASSERT_EQ(image.sizeText(), "48x32");
+    EXPECT_NEAR(image.at(24, 16, 0), i ? 0.6f : 0.2f, 0.003f);
+    EXPECT_NEAR(image.at(0, 0, 1), 0.4f, 0.003f);
+    EXPECT_NEAR(image.at(47, 31, 2), 1, 0.003f);
+  }
+  // A program is found as a shell finds it.
+  const Ended relative =
+      Running(words({"render", "--out", out_, "--", "./tiny"}), {}, folder_.path()).wait(60);
+  EXPECT_EQ(relative.exitCode, 0) << relative.errors;
+  // --size is the window's size, whatever the program asked for.
+  ASSERT_EQ(frames({"--size", "20x10", "--", program}).size(), 1u);
+  EXPECT_EQ(ggrade::readPng(out_ / "frame-0.png").sizeText(), "20x10");
+}
+
+TEST_F(Render, AFailureIsSaidAndKeepsWhatCame) {
+  Submission crashes = Submission::solution();
+  crashes.replace("floor.cpp", "    window.swapBuffers();\n",
+                  "    window.swapBuffers();\n    if (time > 0.5) std::abort();\n");
+  const Ended ended = runTool({"render", crashes.path(), "--times", "0,1,2", "--out", out_});
+  EXPECT_EQ(ended.exitCode, 1);
+  EXPECT_THAT(ended.errors, AllOf(HasSubstr("SIGABRT"), HasSubstr("2 of 3 frames came")));
+  EXPECT_EQ(trace().at("outcome"), "crash");
+  EXPECT_THAT(names(out_), ElementsAre("frame-0.png", "frame-1.png", "trace.json"));
+
+  const Ended shader = runTool(
+      {"render", Submission::example("shader_error").path(), "--out", folder_.path() / "shader"});
+  EXPECT_EQ(shader.exitCode, 1);
+  EXPECT_THAT(shader.errors,
+              AllOf(ContainsRegex("tile\\.frag:51:[0-9]+: error"),
+                    HasSubstr("vec2 at = gl_FragCoord.xy / uWindow;"), HasSubstr("^")));
+  const Ended missing =
+      runTool({"render", "--out", folder_.path() / "none", "--", "/nowhere/tiny"});
+  EXPECT_EQ(missing.exitCode, 2);
+  EXPECT_THAT(missing.errors, HasSubstr("there is no program /nowhere/tiny"));
+  EXPECT_FALSE(fs::exists(folder_.path() / "none"));
+}
+
+TEST_F(Render, TheSecondFrameEqualsAFirstFrameOfThatTime) {
+  for (const json& patch :
+       {json::object(), json{{"ring", {{"base", -0.6}}}}, json{{"mirror", {{"blur", 0.01}}}}}) {
+    const auto both = reference(patch, {"--times", "0.3,2.2"});
+    const auto alone = reference(patch, {"--times", "2.2"});
+    ASSERT_EQ(both.size(), 2u);
+    ASSERT_EQ(alone.size(), 1u);
+    EXPECT_NE(both[0], both[1]);
+    EXPECT_EQ(both[1], alone[0]) << patch;
+  }
+}
+
+TEST_F(Render, OddSizes) {
+  for (const char* size : {"1x1", "7x13", "641x479"}) {
+    ASSERT_EQ(reference(json::object(), {"--size", size}).size(), 1u) << size;
+    EXPECT_EQ(ggrade::readPng(out_ / "frame-0.png").sizeText(), size);
+    EXPECT_THAT(trace().at("messages").dump(), Not(HasSubstr("GL_"))) << size;
+  }
+}
+
+struct Scene {
+  const char* name;
+  const char* patch;
+};
+void PrintTo(const Scene& scene, std::ostream* out) {
+  *out << scene.name;
+}
+
+class NothingToReflect : public Render, public testing::WithParamInterface<Scene> {};
+
+TEST_P(NothingToReflect, LooksTheSameWithAllPassesForcedOn) {
+  json patch = json::parse(GetParam().patch);
+  const auto usual = reference(patch, {"--times", "0.2,1.4"});
+  ASSERT_EQ(usual.size(), 2u);
+  patch["debug"]["draw_all_passes"] = true;
+  EXPECT_EQ(reference(patch, {"--times", "0.2,1.4"}), usual);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Render, NothingToReflect,
+    testing::Values(
+        Scene{"EyeBelowTheFloor", R"({"camera": {"position": [0, -2, 7]}})"},
+        Scene{"NoSpecularFloor", R"({"materials": {"floor": {"specular": [0, 0, 0]}}})"},
+        Scene{"FloorOutOfView", R"({"camera": {"position": [0, 3, 7], "target": [0, 9, 0]}})"},
+        Scene{"MirrorOff", R"({"effects": {"mirror": false}})"},
+        Scene{"NoObjects", R"({"ring": {"count": 0}})"}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+TEST(Commands, ListSaysTheSameInJson) {
+  const Ended text = runTool({"list"});
+  EXPECT_EQ(text.exitCode, 0);
+  EXPECT_THAT(text.out, AllOf(HasSubstr("floor  A reflecting floor"),
+                              ContainsRegex("mirror +100 points \\+ 10 bonus, 7 TODOs"),
+                              HasSubstr("edit: floor.cpp object.vert")));
+  const Ended ended = runTool({"list", "--json"});
+  EXPECT_EQ(ended.exitCode, 0);
+  EXPECT_EQ(ended.errors, "");
+  const json list = json::parse(ended.out);
+  ASSERT_EQ(list.at(0).at("id"), "floor");
+  EXPECT_EQ(list.at(0).at("parts").at(0).at("id"), "mirror");
+  EXPECT_EQ(list.at(0).at("parts").at(0).at("points"), 100);
+  EXPECT_EQ(list.at(0).at("parts").at(0).at("bonus"), 10);
+  EXPECT_EQ(list.at(0).at("files").size(), 6u);
+}
+
+TEST(Commands, EveryHelpHasAnExample) {
+  const Ended all = runTool({"--help"});
+  EXPECT_EQ(all.exitCode, 0);
+  EXPECT_THAT(all.out, HasSubstr("Examples:"));
+  for (const std::string& command : {"list", "render", "grade", "demo", "derive", "compare"}) {
+    const Ended help = runTool({command, "--help"});
+    EXPECT_EQ(help.exitCode, 0) << command;
+    EXPECT_THAT(help.out, ContainsRegex("Examples?:?\n  ggrade " + command));
+    EXPECT_THAT(all.out, HasSubstr(command));
+  }
+  EXPECT_THAT(runTool({"--version"}).out, ContainsRegex("^ggrade [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
+}
+
+TEST(Commands, CompareIsReachedThroughTheTool) {
+  const std::string picture = kSource / "assignments/floor/handout/mirror-5.png";
+  EXPECT_EQ(runTool({"compare", picture, picture}).exitCode, 0);
+  EXPECT_EQ(
+      runTool({"compare", picture, kSource / "assignments/floor/handout/mirror-0.png"}).exitCode,
+      2);
+}
+
+TEST(Commands, GradeWritesEveryFileOfTheContract) {
+  const TemporaryFolder folder;
+  const Ended ended = runTool({"grade", "mirror", kSource / "assignments/floor", "--json", "--out",
+                               folder.path() / "a/b/out"});
+  EXPECT_EQ(ended.exitCode, 0) << ended.errors;
+  EXPECT_THAT(names(folder.path() / "a/b/out"),
+              ElementsAre("index.html", "junit.xml", "results.json", "student.html"));
+  // --json prints what it writes.
+  EXPECT_EQ(json::parse(ended.out).at("extra_data").at("outcome"), "graded");
+  EXPECT_EQ(json::parse(ended.out).at("score"),
+            json::parse(read(folder.path() / "a/b/out/results.json")).at("score"));
+  // What the student gets names hidden scenes, but no place in them.
+  const std::string student = read(folder.path() / "a/b/out/student.html");
+  const std::size_t at = student.find("where a sunken object must be cut off: ");
+  ASSERT_NE(at, student.npos);
+  EXPECT_THAT(student.substr(at, 120), HasSubstr("densest at (position withheld)"));
+  EXPECT_EQ(student.find("Not used"), student.npos);
+  EXPECT_EQ(student.find("handout: not a file"), student.npos);
+}
+
+TEST(Commands, DemoShowsEveryExampleAsItMustEnd) {
+  const TemporaryFolder folder;
+  const Ended ended = runTool({"demo", "--out", folder.path() / "demo"});
+  EXPECT_EQ(ended.exitCode, 0) << ended.errors;
+  const std::string page = read(folder.path() / "demo/index.html");
+  std::vector<std::pair<std::string, std::string>> expected = {{"mirror-reference", "graded"},
+                                                               {"mirror-stub", "graded"}};
+  for (const std::string& name : names(kSource / "solutions/floor/examples")) {
+    const std::string text = read(kSource / "solutions/floor/examples" / name);
+    const std::size_t at = text.find("Outcome: ") + 9;
+    expected.emplace_back(name.substr(0, name.find('.')),
+                          text.substr(at, text.find('\n', at) - at));
+  }
+  EXPECT_GE(expected.size(), 6u);
+  for (const auto& [name, outcome] : expected) {
+    EXPECT_THAT(ended.out, ContainsRegex(name + " .*" + outcome)) << name;
+    EXPECT_NE(page.find(name + "/index.html"), page.npos) << name;
+    const auto results =
+        json::parse(read(folder.path() / "demo" / name / "results.json")).at("extra_data");
+    EXPECT_EQ(results.at("outcome"), outcome) << name;
+    if (name == "mirror-reference") EXPECT_EQ(results.at("score_without_bonus"), 100);
+    if (name != "mirror-reference") EXPECT_LT(results.at("score_without_bonus"), 80) << name;
+  }
+  EXPECT_THAT(ended.out, HasSubstr((folder.path() / "demo/index.html").string()));
+}
+
+} // namespace
