@@ -6,3 +6,6 @@ target_compile_definitions(grading_tool PUBLIC GGRADE_SOURCE_DIR="${PROJECT_SOUR
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/grade_*_test.cpp)
 ggrade_test(grading_test grading SOURCES ${sources} LIBRARIES grading_tool TIMEOUT 300)
 add_dependencies(grading_test ggrade_tool ggrade_compare floor floor_solution)
+ggrade_test(window_test gl SOURCES ${CMAKE_CURRENT_LIST_DIR}/window_test.cpp
+  LIBRARIES grading_tool TIMEOUT 120)
+add_dependencies(window_test ggrade_tool floor_solution)

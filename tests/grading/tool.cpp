@@ -72,6 +72,10 @@ Running::~Running() {
   if (pid_ > 0) wait(0);
 }
 
+std::string Running::out() const {
+  return readWhatIsThere(files_.path() / "out");
+}
+
 std::string Running::errors() const {
   return readWhatIsThere(files_.path() / "errors");
 }

@@ -44,7 +44,8 @@ public:
   Running& operator=(const Running&) = delete;
 
   pid_t pid() const { return pid_; }
-  /// What it has written to stderr so far.
+  /// What it has written so far.
+  std::string out() const;
   std::string errors() const;
   /// Does stderr hold `text` within `seconds`?
   bool says(const std::string& text, double seconds) const;
