@@ -49,13 +49,16 @@ private:
 ggrade::Image screenshot(const std::string& title, const Environment& environment,
                          const fs::path& folder) {
   ggrade::Image before;
-  for (int i = 0; i < 60; ++i, usleep(200'000)) {
+  for (int i = 0; i < 200; ++i, usleep(100'000)) {
+    // `import` waits for a click where there is no such window.
+    if (Running({"/usr/bin/xwininfo", "-name", title}, environment).wait(20).exitCode != 0)
+      continue;
     const fs::path file = folder / ("shot-" + std::to_string(i) + ".png");
     const Ended ended =
         Running({"/usr/bin/import", "-window", title, "-depth", "8", "png24:" + file.string()},
                 environment)
             .wait(20);
-    if (ended.exitCode != 0) continue; // not there yet
+    if (ended.exitCode != 0) continue;
     const ggrade::Image now = ggrade::firstChannels(ggrade::readPng(file), 3);
     // A window that nothing was drawn to is black.
     bool drawn = false;
