@@ -165,8 +165,15 @@ std::string check(const Header& from, const Plan& plan, Capture& to) {
   to.frames.resize(from.framesDone);
   for (std::uint32_t i = 0; i < from.framesDone; ++i) {
     to.frames[i].time = plan.frames[i].time;
+    const PlannedFrame& planned = plan.frames[i];
     if (!checkFrame(check, element("frames", i), from.frames[i], plan.slotBytes, to.frames[i]))
       return check.error;
+    // The library makes every window as large as planned: another size is somebody else's writing.
+    if ((planned.width != 0 && to.frames[i].width != planned.width) ||
+        (planned.height != 0 && to.frames[i].height != planned.height))
+      return element("frames", i) + "size: " + std::to_string(to.frames[i].width) + "x" +
+             std::to_string(to.frames[i].height) + " is not the planned " +
+             std::to_string(planned.width) + "x" + std::to_string(planned.height);
   }
   return {};
 }

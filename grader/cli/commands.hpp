@@ -28,7 +28,7 @@ void requireSandbox();
 
 /// The folder that --out names, without a slash at its end. Throws UsageError with the remedy,
 /// before any work is done, unless it can be made or replaced (see grading::requireReplaceable).
-std::filesystem::path outputFolder(const std::string& named, const std::string& marker);
+std::filesystem::path outputFolder(const std::string& named);
 
 void addList(CLI::App& app);
 void addRender(CLI::App& app);

@@ -47,7 +47,7 @@ std::vector<Example> examples(const Assignment& assignment, const fs::path& solu
 }
 
 void demo(const std::string& outText, bool asJson) {
-  const fs::path out = outputFolder(outText, "index.html");
+  const fs::path out = outputFolder(outText);
   requireSandbox();
   Progress progress("demo");
   std::vector<report::Result> results;
@@ -87,7 +87,7 @@ void demo(const std::string& outText, bool asJson) {
                            "The bundled example submissions: the reference, the untouched "
                            "stub, and programs with typical faults.",
                            pages));
-  work.publish(out, "index.html");
+  work.publish(out);
   if (asJson) {
     nlohmann::json list = nlohmann::json::array();
     for (const report::Result& result : results)

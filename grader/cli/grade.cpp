@@ -30,8 +30,7 @@ void grade(const Options& options) {
                                    "--gtest_filter=mirror.shading",
                                    argument));
   const fs::path out = outputFolder(options.out.empty() ? fs::path("out") / options.id / name
-                                                        : fs::path(options.out),
-                                    kResultMarker);
+                                                        : fs::path(options.out));
   requireSandbox();
 
   Progress progress("grading " + name);

@@ -87,12 +87,12 @@ void requireSandbox() {
     throw NoSandbox("no sandbox: " + *reason + "\nSubmissions are not run without one.");
 }
 
-fs::path outputFolder(const std::string& named, const std::string& marker) {
+fs::path outputFolder(const std::string& named) {
   fs::path folder = fs::path(named).lexically_normal();
   if (!folder.has_filename()) folder = folder.parent_path();
   if (folder.empty() || folder == "." || folder == "..")
     folder = fs::canonical(fs::absolute(named));
-  grading::requireReplaceable(folder, marker);
+  grading::requireReplaceable(folder);
   // Tried, not asked: root may write everywhere but in /proc.
   fs::path there = fs::absolute(folder).parent_path();
   std::error_code error;
@@ -121,7 +121,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "ggrade: {}\n", error.what());
     return cli::kUsage;
   } catch (const std::exception& error) {
+    // Not the caller's doing: our own programs, the disk, memory.
     fmt::print(stderr, "ggrade: {}\n", error.what());
-    return cli::kUsage;
+    return cli::kNotGradable;
   }
 }

@@ -90,12 +90,13 @@ grading::Rendering renderTarget(const Options& options, Progress& progress) {
   if (size.width) scene["size"] = {size.width, size.height};
 
   grading::TemporaryFolder work;
-  grading::overlay(target.assignment, sources, work.path());
+  const fs::path program = work.makeVisible("program");
+  grading::overlay(target.assignment, sources, program);
   progress("building", 0, 2);
-  const grading::Happened built = grading::buildProgram(id, work.path(), isolation);
+  const grading::Happened built = grading::buildProgram(id, program, isolation);
   if (!built.ok()) return {built, {}};
   progress("rendering", 1, 2);
-  return grading::renderScene(id, work.path(), scene, options.times, {}, isolation);
+  return grading::renderScene(id, program, scene, options.times, {}, isolation);
 }
 
 /// The program that a shell would start. Throws UsageError if there is none.
@@ -143,7 +144,7 @@ json trace(const grading::Rendering& rendering) {
 }
 
 void render(const Options& options) {
-  const fs::path out = outputFolder(options.out, "trace.json");
+  const fs::path out = outputFolder(options.out);
   checkTimes(options.times);
   Progress progress("render");
   if (afterDashes.empty() == options.target.empty())
@@ -163,7 +164,7 @@ void render(const Options& options) {
     writePng(work.path() / fmt::format("frame-{}.png", i), rubric::toImage(frames[i]));
   const json trace = cli::trace(rendering);
   report::writeFile(work.path() / "trace.json", trace.dump(2) + '\n');
-  work.publish(out, "trace.json");
+  work.publish(out);
 
   if (options.json) {
     std::cout << trace.dump(2) << '\n';

@@ -18,7 +18,7 @@ void writeReports(const report::Result& result, const fs::path& out, report::Rev
   // Beside the destination, so that it can be moved there in one step.
   grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
   report::writeReports(work.path(), result, reveal);
-  work.publish(out, kResultMarker);
+  work.publish(out);
 }
 
 void printResult(const report::Result& result, const fs::path& out, bool json) {

@@ -40,7 +40,11 @@ private:
 };
 
 report::Frame compareFrames(const Image& student, const Image& reference, double time) {
-  report::Frame frame{time, student, reference, {}, 1};
+  report::Frame frame;
+  frame.time = time;
+  frame.student = student;
+  frame.reference = reference;
+  frame.wrongShare = 1;
   if (student.empty()) return frame;
   const Comparison comparison = compare(student, reference);
   frame.wrongShare = comparison.wrongShare;
@@ -140,10 +144,10 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
   result.seed = plan.seed;
   result.maxScore = target.maxScore();
   result.sandbox = "bwrap";
+  result.thresholds = {{"tolerance", kTolerance}, {"radius", kRadius}, {"window", kWindowSide}};
 
   TemporaryFolder work;
-  const fs::path program = work.path() / "program";
-  fs::create_directory(program);
+  const fs::path program = work.makeVisible("program");
   const Overlay taken = overlay(assignment, options.upload, program);
   if (!options.solution) result.unusedFiles = taken.unused;
   for (const std::string& name : taken.missing)
@@ -173,17 +177,19 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
     std::atomic<std::size_t> done{1};
     std::atomic<bool> hangs{false};
     inParallel(renderings.size(), workers(), [&](std::size_t i) {
-      if (hangs) {
-        renderings[i].happened = {
-            Outcome::timeout, "not run: the program hung in another scene", {}, 0};
-        return;
-      }
+      if (hangs) return;
       renderings[i] = renderScene(assignment.id, program, plan.scenes[i].scene,
                                   plan.scenes[i].times, references.shaders, Isolation::bwrap);
-      const Outcome outcome = renderings[i].happened.outcome;
-      if (outcome == Outcome::timeout || outcome == Outcome::noFrame) hangs = true;
+      const Happened& happened = renderings[i].happened;
+      if (i == 0 && !happened.ok() && happened.seconds >= kRunSeconds) hangs = true;
       progress("rendering", ++done, steps);
     });
+    // Whether another scene had begun by then is chance: it must not count.
+    if (hangs)
+      for (std::size_t i = 1; i < renderings.size(); ++i)
+        renderings[i] = {
+            {renderings[0].happened.outcome, "not run: the program hung in the first scene", {}, 0},
+            {}};
   }
 
   std::vector<rubric::SceneFolders> folders = references.scenes;
@@ -192,7 +198,8 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
     const Happened& happened = renderings[i].happened;
     folders[i].student = work.path() / fmt::format("student-{}", i);
     rubric::writeFrames(folders[i].student, rawFrames(renderings[i].capture));
-    // The first scene that didn't go well names the outcome; no frames outweighs a GL error.
+    // The first scene that didn't go well names the outcome; no frames outweighs a GL error, and a
+    // fault of ours everything.
     const bool worse =
         result.outcome == Outcome::graded || (result.outcome == Outcome::glError && !happened.ok());
     if (happened.outcome != Outcome::graded && worse) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <sstream>
 
 extern char** environ;
 
@@ -20,7 +21,6 @@ using sandbox::Isolation;
 namespace {
 
 constexpr double kBuildSeconds = 30;
-constexpr double kRunSeconds = 10;
 
 /// Settings that pixels depend on, the same for every run. One llvmpipe thread a worker is the most
 /// efficient. Pinned CPU features make every x86-64 machine since 2011 draw the same: `avx` costs
@@ -137,22 +137,21 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
   sandbox::Command command;
   const std::string scratch =
       isolation == Isolation::bwrap ? "/scratch/" + id : (folder / id).string();
-  command.arguments = {toolchain::kCompiler,
-                       "-std=c++20",
-                       "-O1",
-                       "-Wall",
-                       "-Wextra",
-                       "-pipe",
-                       "-fuse-ld=mold",
-                       "-include",
-                       (at.kit / "gg_pch.hpp").string(),
-                       "-I",
-                       (at.kit / "include").string(),
-                       id + ".cpp",
-                       "-o",
-                       scratch,
-                       "-L",
-                       (at.kit / "lib").string()};
+  command.arguments = {toolchain::kCompiler};
+  std::istringstream flags(toolchain::kCompileFlags);
+  for (std::string flag; flags >> flag;) command.arguments.push_back(flag);
+  const std::initializer_list<std::string> rest = {"-pipe",
+                                                   "-fuse-ld=mold",
+                                                   "-include",
+                                                   (at.kit / "gg_pch.hpp").string(),
+                                                   "-I",
+                                                   (at.kit / "include").string(),
+                                                   id + ".cpp",
+                                                   "-o",
+                                                   scratch,
+                                                   "-L",
+                                                   (at.kit / "lib").string()};
+  command.arguments.insert(command.arguments.end(), rest);
   for (const char* library :
        {"gg", "gg_core", "gg_scene", "gg_glad", "glfw", "tinyobjloader", "png16", "fmt"})
     command.arguments.push_back(std::string("-l") + library);
@@ -196,14 +195,14 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
 Rendering renderScene(const std::string& id, const fs::path& folder, const nlohmann::json& scene,
                       const std::vector<double>& times, const ShaderCache& shaders,
                       Isolation isolation) {
-  TemporaryFolder sceneFolder;
+  TemporaryFolder work;
+  const fs::path sceneFolder = work.makeVisible("scene");
   {
-    std::ofstream out(sceneFolder.path() / "scene.json");
+    std::ofstream out(sceneFolder / "scene.json");
     if (!(out << scene.dump(2) << '\n') || !out.flush())
-      throw UsageError(
-          fmt::format("can't write to {}: is the disk full?", sceneFolder.path().string()));
+      throw UsageError(fmt::format("can't write to {}: is the disk full?", sceneFolder.string()));
   }
-  const Places at(isolation, folder, shaders.folder, sceneFolder.path());
+  const Places at(isolation, folder, shaders.folder, sceneFolder);
   const auto size = scene.at("size").get<std::vector<std::uint32_t>>();
   channel::Channel channel(plan(times, size.at(0), size.at(1)));
 
@@ -219,13 +218,11 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   else
     command.environment.emplace_back("MESA_SHADER_CACHE_DIR", at.shaders.string());
   if (isolation == Isolation::bwrap) {
-    command.mounts = {{folder, "/submission"},
-                      {toolchain::kCaptureFolder, "/capture"},
-                      {sceneFolder.path(), "/scene"}};
+    command.mounts = {
+        {folder, "/submission"}, {toolchain::kCaptureFolder, "/capture"}, {sceneFolder, "/scene"}};
     if (!shaders.folder.empty()) command.privateCopies = {{shaders.folder, "/shaders"}};
   }
-  command.workingDirectory =
-      isolation == Isolation::bwrap ? fs::path("/scratch") : sceneFolder.path();
+  command.workingDirectory = isolation == Isolation::bwrap ? fs::path("/scratch") : sceneFolder;
   command.inheritedDescriptor = channel.descriptor();
   command.limits.wallSeconds = command.limits.cpuSeconds = kRunSeconds;
 
@@ -256,6 +253,12 @@ Rendering renderProgram(const std::vector<std::string>& arguments, const std::ve
   command.limits.wallSeconds = command.limits.cpuSeconds = 60;
 
   return runCaptured(command, Isolation::none, channel, times.size());
+}
+
+std::string pins() {
+  std::string text = toolchain::kCompileFlags;
+  for (const auto& [name, value] : kPins) text += ' ' + name + '=' + value;
+  return text;
 }
 
 std::vector<std::pair<std::string, std::string>> fingerprint(const channel::Capture& capture) {

@@ -9,6 +9,9 @@
 
 namespace ggrade::grading {
 
+/// A run may take so long.
+inline constexpr double kRunSeconds = 10;
+
 /// What happened when a submission was built or run, in the contract's terms.
 struct Happened {
   report::Outcome outcome = report::Outcome::notGradable;
@@ -46,6 +49,9 @@ Rendering renderScene(const std::string& id, const std::filesystem::path& folder
 /// leaves the window as the program asks.
 Rendering renderProgram(const std::vector<std::string>& arguments, const std::vector<double>& times,
                         std::uint32_t width, std::uint32_t height);
+
+/// Compiler flags and settings of the renderer, the same for every build and run.
+std::string pins();
 
 /// What can change a pixel without the submission changing: renderer, compiler, pinned settings.
 std::vector<std::pair<std::string, std::string>> fingerprint(const channel::Capture& capture);

@@ -52,9 +52,10 @@ struct Own {
 };
 
 void requireGood(const Happened& happened, const std::string& what) {
-  if (!happened.ok())
-    throw UsageError(fmt::format("{} can't be rendered ({}): {}\n{}", what,
-                                 report::name(happened.outcome), happened.detail, happened.output));
+  if (happened.outcome != Outcome::graded)
+    throw std::runtime_error(fmt::format("{} can't be rendered ({}): {}\n{}", what,
+                                         report::name(happened.outcome), happened.detail,
+                                         happened.output));
 }
 
 /// Builds into the cache unless it is there.
@@ -62,10 +63,25 @@ void build(const Assignment& assignment, Own& own) {
   own.folder = cacheFolder() / "programs" / own.key;
   if (fs::exists(own.folder / assignment.id)) return;
   TemporaryFolder work(cacheFolder() / "programs");
-  overlay(assignment, own.sources, work.path());
-  requireGood(buildProgram(assignment.id, work.path(), Isolation::bwrap), own.what);
+  const fs::path program = work.makeVisible("program");
+  overlay(assignment, own.sources, program);
+  requireGood(buildProgram(assignment.id, program, Isolation::bwrap), own.what);
   std::error_code raced; // somebody else may have built the same meanwhile
-  fs::rename(work.path(), own.folder, raced);
+  fs::rename(program, own.folder, raced);
+}
+
+/// What tells one renderer from another without starting it: its files' sizes and times.
+std::string rendererIdentity() {
+  std::string text;
+  const fs::path mesa = fs::canonical(toolchain::kOsMesa);
+  std::vector<fs::path> files = {mesa};
+  for (const fs::directory_entry& entry : fs::directory_iterator(mesa.parent_path()))
+    if (entry.path().filename().string().starts_with("libLLVM")) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files)
+    text += fmt::format("{} {} {}\n", file.string(), fs::file_size(file),
+                        fs::last_write_time(file).time_since_epoch().count());
+  return text;
 }
 
 } // namespace
@@ -108,7 +124,8 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   const Assignment& assignment = target.assignment;
   const std::string tool =
       hashOf(toolchain::kVersion + hashOfFiles(fs::path(toolchain::kKitFolder) / "lib") +
-             hashOfFiles(toolchain::kCaptureFolder) + toolchain::kCompilerVersion);
+             hashOfFiles(toolchain::kCaptureFolder) + toolchain::kCompilerVersion + pins() +
+             rendererIdentity());
   Own reference{"the reference " + solutionFolder.string(), solutionFolder, {}, {}};
   Own stub{"the stub " + assignment.folder.string(), assignment.folder, {}, {}};
   for (Own* own : {&reference, &stub})
@@ -144,6 +161,9 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
     all.scenes.push_back(std::move(folders));
   }
 
+  // The cache holds hidden scenes and the reference: nobody else's business.
+  fs::create_directories(cacheFolder());
+  fs::permissions(cacheFolder(), fs::perms(0700));
   all.shaders.folder = cacheFolder() / "shaders" / stub.key;
   if (jobs.empty() && fs::exists(all.shaders.folder)) return all;
   progress("building the reference and the stub", 0, jobs.size() + 1);
@@ -152,14 +172,14 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   if (!fs::exists(all.shaders.folder)) {
     // Warmed by the stub, never by the reference: every submission can read its copy. Only a run
     // that can write to the host's folder warms it: trusted, outside the sandbox.
-    TemporaryFolder warm(cacheFolder() / "shaders");
+    TemporaryFolder work(cacheFolder() / "shaders");
+    const fs::path warm = work.makeVisible("shaders");
     for (const SceneCase& scene : plan.scenes)
-      requireGood(
-          renderScene(assignment.id, stub.folder, scene.scene, {0}, {warm.path()}, Isolation::none)
-              .happened,
-          stub.what);
+      requireGood(renderScene(assignment.id, stub.folder, scene.scene, {0}, {warm}, Isolation::none)
+                      .happened,
+                  stub.what);
     std::error_code raced;
-    fs::rename(warm.path(), all.shaders.folder, raced);
+    fs::rename(warm, all.shaders.folder, raced);
   }
   std::atomic<std::size_t> done{1};
   inParallel(jobs.size(), workers(), [&](std::size_t i) {

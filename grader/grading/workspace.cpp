@@ -8,8 +8,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <set>
 
 #include <fcntl.h>
+#include <sys/stat.h>
 
 namespace ggrade::grading {
 
@@ -23,19 +26,38 @@ void catchInterrupts() {
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGHUP, &action, nullptr);
   signal(SIGPIPE, SIG_IGN);
 }
 
-void requireReplaceable(const fs::path& folder, const std::string& marker) {
+namespace {
+
+/// Lists, a name a line, what the tool wrote into a folder that it published.
+constexpr char kContents[] = ".ggrade-contents";
+
+std::set<std::string> namesIn(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    names.insert(entry.path().filename().string());
+  return names;
+}
+
+} // namespace
+
+void requireReplaceable(const fs::path& folder) {
   std::error_code none;
   if (!fs::exists(folder, none)) return;
   if (!fs::is_directory(folder, none))
     throw UsageError(
         fmt::format("{} is not a folder: name another one with --out", folder.string()));
-  if (!fs::is_empty(folder) && !fs::exists(folder / marker))
-    throw UsageError(fmt::format("{} exists and holds no earlier result ({}): name another folder "
-                                 "with --out, or remove it",
-                                 folder.string(), marker));
+  std::set<std::string> ours = {kContents};
+  std::ifstream in(folder / kContents);
+  for (std::string name; std::getline(in, name);) ours.insert(name);
+  for (const std::string& name : namesIn(folder))
+    if (!ours.count(name))
+      throw UsageError(fmt::format("{} holds {}, which is no earlier result of this tool: name "
+                                   "another folder with --out, or move it away",
+                                   folder.string(), name));
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent) {
@@ -48,8 +70,13 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent) {
                                  "yourself write permission",
                                  base.string(), std::strerror(errno)));
   path_ = name;
-  // The sandbox reads from here under another user ID.
-  fs::permissions(path_, fs::perms(0755));
+}
+
+fs::path TemporaryFolder::makeVisible(const std::string& name) const {
+  const fs::path folder = path_ / name;
+  fs::create_directory(folder);
+  fs::permissions(folder, fs::perms(0755));
+  return folder;
 }
 
 TemporaryFolder::~TemporaryFolder() {
@@ -57,9 +84,18 @@ TemporaryFolder::~TemporaryFolder() {
   if (!path_.empty()) fs::remove_all(path_, none);
 }
 
-void TemporaryFolder::publish(const fs::path& final, const std::string& marker) {
+void TemporaryFolder::publish(const fs::path& final) {
+  requireReplaceable(final);
+  {
+    const std::set<std::string> names = namesIn(path_);
+    std::ofstream out(path_ / kContents);
+    for (const std::string& name : names) out << name << '\n';
+    if (!out.flush()) throw std::runtime_error("can't write to " + path_.string() + ": disk full?");
+  }
+  const mode_t mask = umask(0);
+  umask(mask);
+  fs::permissions(path_, fs::perms(0777 & ~mask));
   // One step either way: exchanged with an earlier result, or moved into place.
-  requireReplaceable(final, marker);
   if (fs::exists(final)) {
     if (renameat2(AT_FDCWD, path_.c_str(), AT_FDCWD, final.c_str(), RENAME_EXCHANGE) == 0) return;
     fs::remove_all(final); // a file system that can't exchange

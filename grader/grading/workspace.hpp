@@ -8,20 +8,20 @@
 
 namespace ggrade::grading {
 
-/// Set by Ctrl-C and SIGTERM (see catchInterrupts); everything long looks at it.
+/// Set by Ctrl-C, SIGTERM and SIGHUP (see catchInterrupts); everything long looks at it.
 extern std::atomic<bool> interrupted;
 
-/// Makes SIGINT and SIGTERM set `interrupted` instead of ending the process.
+/// Makes SIGINT, SIGTERM and SIGHUP set `interrupted` instead of ending the process.
 void catchInterrupts();
 
 /// Thrown where `interrupted` was seen; ends the tool with exit code 130.
 struct Interrupted {};
 
-/// Throws UsageError with the remedy if `folder` exists and is neither empty nor an earlier result,
-/// which holds a file called `marker`.
-void requireReplaceable(const std::filesystem::path& folder, const std::string& marker);
+/// Throws UsageError with the remedy if `folder` exists and holds anything that this tool has not
+/// published there.
+void requireReplaceable(const std::filesystem::path& folder);
 
-/// A private folder (mode 0755, random name) that is removed with everything in it.
+/// A private folder (mode 0700, random name) that is removed with everything in it.
 class TemporaryFolder {
 public:
   /// Under `parent`, or the system's temporary folder. Throws UsageError with the remedy.
@@ -31,9 +31,11 @@ public:
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Moves the folder to `final` in one step. What stands there is replaced, see
-  /// requireReplaceable.
-  void publish(const std::filesystem::path& final, const std::string& marker);
+  /// Makes a folder in it that the sandbox can show its command, which runs under another user ID.
+  std::filesystem::path makeVisible(const std::string& name) const;
+  /// Moves the folder to `final` in one step, with the caller's usual permissions. What stands
+  /// there is replaced, see requireReplaceable.
+  void publish(const std::filesystem::path& final);
 
 private:
   std::filesystem::path path_;
