@@ -101,9 +101,11 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
       // What never came harmed nothing; the gains are lost already.
       if (item.kind == report::ItemKind::keep) continue;
       message = fmt::format("{} of {} frames came", scene.student.size(), scene.frameCount);
-    } else if (!sameSize(scene.student[0], scene.reference[0])) {
-      message = fmt::format("the window is {} instead of {}", scene.student[0].sizeText(),
-                            scene.reference[0].sizeText());
+    } else if (const auto odd = std::mismatch(scene.reference.begin(), scene.reference.end(),
+                                              scene.student.begin(), sameSize);
+               odd.first != scene.reference.end()) {
+      message = fmt::format("the window is {} instead of {}", odd.second->sizeText(),
+                            odd.first->sizeText());
     } else {
       const Verdict verdict = checked(judge, {scene, scene.student});
       message = verdict.message;
