@@ -96,7 +96,8 @@ TEST_F(BadInput, AnOutputFolderWithOtherThingsIsLeftAlone) {
                                    Arguments{"demo"}, Arguments{"render", "floor"}}) {
     Arguments arguments = command;
     arguments.insert(arguments.end(), {"--out", folder_.path() / "home"});
-    expectRefusal(arguments, AllOf(HasSubstr("holds no earlier result"), HasSubstr("--out")));
+    expectRefusal(arguments, AllOf(HasSubstr("holds letter.txt, which is no earlier result"),
+                                   HasSubstr("--out")));
     EXPECT_THAT(names(folder_.path() / "home"), ElementsAre("letter.txt"));
     EXPECT_EQ(read(letter), "dear");
   }

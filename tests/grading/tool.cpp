@@ -247,7 +247,8 @@ std::string read(const fs::path& file) {
 std::vector<std::string> names(const fs::path& folder) {
   std::vector<std::string> all;
   for (const auto& entry : fs::directory_iterator(folder))
-    all.push_back(entry.path().filename().string());
+    if (entry.path().filename() != ".ggrade-contents")
+      all.push_back(entry.path().filename().string());
   std::sort(all.begin(), all.end());
   return all;
 }

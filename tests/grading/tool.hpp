@@ -114,7 +114,7 @@ Graded grade(const fs::path& folder, const Arguments& more = {},
 
 /// A whole file as text; fails the test where there is none.
 std::string read(const fs::path& file);
-/// The names in a folder, sorted.
+/// The names in a folder, sorted; without the list of contents that the tool keeps.
 std::vector<std::string> names(const fs::path& folder);
 
 } // namespace tool

@@ -148,6 +148,8 @@ TEST_F(ChannelRead, EveryForgeryIsNamed) {
       {"frames[1].height: 4294967295 is above 16384",
        [](Header& header) { header.frames[1].height = ~0U; }},
       {"frames[0].bytes: 24 is above 16", [](Header& header) { header.frames[0].width = 3; }},
+      {"frames[0].size: 1x4 is not the planned 2x2",
+       [](Header& header) { header.frames[0].width = 1, header.frames[0].height = 4; }},
       {"frames[0].seconds: -1.000000 is not a time from 0 to 1000000 seconds",
        [](Header& header) { header.frames[0].seconds = -1; }},
   };

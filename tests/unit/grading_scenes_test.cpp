@@ -1,0 +1,147 @@
+#include "grading/scenes.hpp"
+
+#include "framework_temporary_folder.hpp"
+#include "framework_throws.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+using namespace ggrade;
+using grading::drawScenes;
+using grading::ScenePlan;
+using nlohmann::json;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::Ge;
+using testing::HasSubstr;
+using testing::Le;
+
+namespace {
+
+/// Plans for the floor's part `mirror` from a scenes.json of the test's own.
+class Scenes : public testing::Test {
+protected:
+  ScenePlan draw(const json& scenes, const std::uint64_t* seed = nullptr) {
+    files_.write("scenes.json", scenes.dump(1));
+    return drawScenes(target_, files_.path(), seed);
+  }
+  std::string problem(const json& scenes) {
+    return messageOf<UsageError>([&] { draw(scenes); });
+  }
+  static json scene(const std::string& name, const json& content) {
+    return {{"name", name}, {"times", {0.5}}, {"scene", content}};
+  }
+  static json file(const std::vector<json>& scenes) { return {{"seed", 5}, {"scenes", scenes}}; }
+
+  TemporaryFolder files_;
+  Target target_ = findTarget(GGRADE_SOURCE_DIR "/assignments", "mirror");
+};
+
+const json kLight = {{"light", {{"position", {{"between", {{-1, 2, 3}, {1, 4, 3}}}}}}}};
+
+TEST_F(Scenes, TheSameSeedDrawsTheSamePlan) {
+  const json scenes = file({scene("a", kLight), scene("b", kLight)});
+  const ScenePlan one = draw(scenes), two = draw(scenes);
+  EXPECT_EQ(one.seed, 5u);
+  ASSERT_EQ(one.scenes.size(), 2u);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(one.scenes[i].scene, two.scenes[i].scene);
+  // Scenes don't share their draws.
+  EXPECT_NE(one.scenes[0].scene["light"]["position"], one.scenes[1].scene["light"]["position"]);
+  const std::uint64_t other = 6;
+  EXPECT_EQ(draw(scenes, &other).seed, 6u);
+  EXPECT_NE(draw(scenes, &other).scenes[0].scene, one.scenes[0].scene);
+}
+
+TEST_F(Scenes, DrawsAreTheSameOnEveryMachine) {
+  const ScenePlan plan = draw(file(
+      {scene("a", {{"ring",
+                    {{"radius", {{"between", {1.0, 2.0}}}}, {"count", {{"between", {3, 9}}}}}}})}));
+  // The values of this generator and rounding; other numbers mean other scenes for a whole class.
+  EXPECT_DOUBLE_EQ(plan.scenes[0].scene["ring"]["radius"].get<double>(), 1.0);
+  EXPECT_EQ(plan.scenes[0].scene["ring"]["count"], 3);
+}
+
+TEST_F(Scenes, AddingOneLeavesTheOthersAlone) {
+  const ScenePlan before = draw(file({scene("a", kLight), scene("b", kLight)}));
+  const ScenePlan after = draw(file({scene("a", kLight), scene("b", kLight), scene("c", kLight)}));
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(before.scenes[i].scene, after.scenes[i].scene);
+}
+
+TEST_F(Scenes, BetweenStaysInsideAndReachesBothEnds) {
+  std::set<int> counts;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    const ScenePlan plan = draw(file({scene("a", {{"ring",
+                                                   {{"count", {{"between", {2, 4}}}},
+                                                    {"radius", {{"between", {1.25, 1.5}}}},
+                                                    {"hop", {{"choose", {0.5, 0.75}}}}}}})}),
+                                &seed);
+    const json& ring = plan.scenes[0].scene["ring"];
+    counts.insert(ring["count"].get<int>());
+    EXPECT_TRUE(ring["count"].is_number_integer());
+    EXPECT_THAT(ring["radius"].get<double>(), AllOf(Ge(1.25), Le(1.5)));
+    EXPECT_TRUE(ring["hop"] == 0.5 || ring["hop"] == 0.75);
+  }
+  EXPECT_THAT(counts, ElementsAre(2, 3, 4));
+}
+
+TEST_F(Scenes, TagsChooseProbes) {
+  json scenes = file({scene("a", json::object()), scene("b", json::object())});
+  scenes["scenes"][0]["tags"] = {"sunk"};
+  scenes["probes"] = {{{"name", "all"}, {"scene", {{"ring", {{"count", 0}}}}}},
+                      {{"name", "some"}, {"tags", {"sunk", "other"}}, {"scene", json::object()}}};
+  const ScenePlan plan = draw(scenes);
+  EXPECT_EQ(plan.scenes[0].probes.size(), 2u);
+  EXPECT_EQ(plan.scenes[1].probes.size(), 1u);
+  EXPECT_EQ(plan.scenes[1].probes.at("all")["ring"]["count"], 0);
+  // A probe is the scene with a patch: the rest is the scene's.
+  EXPECT_EQ(plan.scenes[1].probes.at("all")["camera"], plan.scenes[1].scene["camera"]);
+}
+
+TEST_F(Scenes, OfOtherPartsAreLeftOut) {
+  json scenes = file({scene("a", json::object()), scene("b", json::object())});
+  scenes["scenes"][0]["parts"] = {"shadow"};
+  scenes["scenes"][1]["parts"] = {"shadow", "mirror"};
+  const ScenePlan plan = draw(scenes);
+  ASSERT_EQ(plan.scenes.size(), 1u);
+  EXPECT_EQ(plan.scenes[0].name, "b");
+}
+
+TEST_F(Scenes, MistakesNameTheFile) {
+  const auto names = [](const std::string& what) {
+    return AllOf(HasSubstr("scenes.json"), HasSubstr(what));
+  };
+  EXPECT_THAT(problem(file({scene("a", {{"ring", {{"count", {{"between", {1, "six"}}}}}}})})),
+              names("between: needs two numbers or two lists of one length"));
+  EXPECT_THAT(problem(file({scene("a", {{"size", {{"between", {{1, 2}, {1, 2, 3}}}}}})})),
+              names("between: needs two numbers"));
+  EXPECT_THAT(problem(file({scene("a", {{"ring", {{"hop", {{"choose", json::array()}}}}}})})),
+              names("choose: needs a list with values"));
+  EXPECT_THAT(problem(file({scene("bent", {{"ring", {{"count", "six"}}}})})),
+              AllOf(names("bent"), HasSubstr("ring.count")));
+  EXPECT_THAT(problem(file({scene("bent", {{"rings", 6}})})),
+              AllOf(names("bent"), HasSubstr("rings")));
+  EXPECT_THAT(problem({{"seed", 1}}), names("scenes"));
+  EXPECT_THAT(problem({{"seed", "one"}, {"scenes", json::array()}}), names("number"));
+}
+
+TEST_F(Scenes, HandoutScenesChangeStepByStep) {
+  const json settings = {{"scene", {{"size", {48, 36}}}},
+                         {"steps", {{"mirror.6", {{"ring", {{"base", -0.5}}}}}}}};
+  const Part& part = target_.parts[0];
+  const auto scene = [&](std::size_t k) {
+    return grading::handoutScene(target_.assignment, part, settings, k);
+  };
+  EXPECT_EQ(scene(0)["size"], json::array({48, 36}));
+  EXPECT_EQ(scene(0), scene(5));
+  EXPECT_EQ(scene(6)["ring"]["base"], -0.5);
+  EXPECT_EQ(scene(7), scene(0)); // a step's scene is its own
+}
+
+TEST_F(Scenes, ASceneFileIsCheckedAsItWasWritten) {
+  const auto file = files_.write("my.json", "{\n  \"ring\": {\n    \"count\": -1\n  }\n}\n");
+  EXPECT_THAT(messageOf<UsageError>([&] { grading::readScene(target_.assignment, file); }),
+              HasSubstr("my.json:3: ring.count"));
+}
+
+} // namespace
