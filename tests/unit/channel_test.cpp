@@ -80,9 +80,15 @@ TEST_F(ChannelRead, CopiesFramesWithTheTopRowFirst) {
 }
 
 TEST_F(ChannelRead, OddHeightsKeepTheirMiddleRow) {
-  child_.header().frames[0].width = 1;
-  child_.header().frames[0].height = 3;
-  EXPECT_THAT(channel_.read().frames[0].pixels,
+  const Channel channel({{0, 1, 3}});
+  ChildView child(channel);
+  child.header().framesDone = 1;
+  child.header().frames[0].written = 1;
+  child.header().frames[0].width = 1;
+  child.header().frames[0].height = 3;
+  for (int byte = 0; byte < 12; ++byte)
+    child.slot(channel.plan(), 0)[byte] = static_cast<unsigned char>(byte);
+  EXPECT_THAT(channel.read().frames.at(0).pixels,
               testing::ElementsAre(8, 9, 10, 11, 4, 5, 6, 7, 0, 1, 2, 3));
 }
 
@@ -166,9 +172,12 @@ TEST_F(ChannelRead, EveryForgeryIsNamed) {
 }
 
 TEST_F(ChannelRead, AFrameThatWasTooLargeHasASizeAndNoPixels) {
-  child_.header().frames[0].written = 0;
-  child_.header().frames[0].width = 9999;
-  const Capture capture = channel_.read();
+  const Channel channel({{0, 0, 0}}); // the program chooses the size
+  ChildView child(channel);
+  child.header().framesDone = 1;
+  child.header().frames[0].width = 9999;
+  child.header().frames[0].height = 2;
+  const Capture capture = channel.read();
   EXPECT_EQ(capture.error, "");
   EXPECT_EQ(capture.frames[0].width, 9999U);
   EXPECT_TRUE(capture.frames[0].pixels.empty());
