@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <set>
 
 namespace ggrade {
 
@@ -50,6 +51,19 @@ Part readPart(const json& from) {
   return part;
 }
 
+/// IDs of the assignment, its parts, TODOs and items name one thing each.
+void requireDifferentIds(const Assignment& assignment) {
+  std::set<std::string> targets = {assignment.id}, todos, items;
+  const auto add = [](std::set<std::string>& known, const std::string& id) {
+    if (!known.insert(id).second) throw UsageError(fmt::format("\"{}\" stands there twice", id));
+  };
+  for (const Part& part : assignment.parts) {
+    add(targets, part.id);
+    for (const Todo& todo : part.todos) add(todos, todo.id);
+    for (const ItemDeclaration& item : part.items) add(items, item.id);
+  }
+}
+
 } // namespace
 
 std::string readFile(const fs::path& path) {
@@ -84,6 +98,7 @@ Assignment Assignment::load(const fs::path& folder) {
     assignment.optionalFiles = from.value("files_optional", std::vector<std::string>{});
     for (const json& part : from.at("parts")) assignment.parts.push_back(readPart(part));
     assignment.folder = folder;
+    requireDifferentIds(assignment);
     if (assignment.id != folder.filename())
       throw UsageError(fmt::format("id is \"{}\" but the folder is \"{}\"", assignment.id,
                                    folder.filename().string()));
