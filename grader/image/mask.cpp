@@ -86,14 +86,19 @@ Mask differenceMask(const Image& a, const Image& b, float threshold, int channel
                                 std::to_string(b.channels()) + " differ");
   const int looked = channels == 0 ? a.channels() : std::min(channels, a.channels());
   Mask mask(a.width(), a.height());
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x)
+  for (int y = 0; y < a.height(); ++y) {
+    const float* p = a.row(y).data();
+    const float* q = b.row(y).data();
+    for (int x = 0; x < a.width(); ++x, p += a.channels(), q += a.channels()) {
+      bool differs = false; // no early way out: without branches this takes a third of the time
       for (int c = 0; c < looked; ++c) {
-        const float p = a.at(x, y, c), q = b.at(x, y, c);
         // Written so that NaN against a number is a difference; equal infinities are not one.
-        const bool bothNaN = std::isnan(p) && std::isnan(q);
-        if (p != q && !bothNaN && !(std::abs(p - q) <= threshold)) mask.set(x, y);
+        const bool bothNaN = (p[c] != p[c]) & (q[c] != q[c]);
+        differs |= (p[c] != q[c]) & !bothNaN & !(std::abs(p[c] - q[c]) <= threshold);
       }
+      mask.set(x, y, differs);
+    }
+  }
   return mask;
 }
 

@@ -110,7 +110,8 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
       const Verdict verdict = checked(judge, {scene, scene.student});
       message = verdict.message;
       credit = verdict.quality;
-      if (item.kind != report::ItemKind::keep) {
+      // Nothing is left to scale where the student is as good as the reference.
+      if (item.kind != report::ItemKind::keep && verdict.quality < 1) {
         const double floor = checked(judge, {scene, scene.stub}).quality;
         // Where the stub is as good as the reference, the scene can't show the item.
         if (floor > 0.99) continue;
