@@ -12,6 +12,8 @@
 #include <mutex>
 #include <thread>
 
+#include <unistd.h>
+
 namespace ggrade::grading {
 
 namespace fs = std::filesystem;
@@ -41,6 +43,20 @@ std::string hashOfFiles(const fs::path& folder) {
 fs::path cacheFolder() {
   const char* named = std::getenv("GGRADE_CACHE");
   return named && *named ? fs::path(named) : fs::path(toolchain::kBuildFolder) / "cache";
+}
+
+/// Makes the cache if need be, for its owner alone: pictures of hidden scenes lie in it. Throws
+/// UsageError with the remedy.
+void makeCache() {
+  const fs::path folder = cacheFolder();
+  std::error_code error;
+  if (fs::create_directories(folder, error)) fs::permissions(folder, fs::perms(0700), error);
+  if (!error && access(folder.c_str(), R_OK | W_OK | X_OK) != 0)
+    error = std::error_code(errno, std::generic_category());
+  if (error)
+    throw UsageError(fmt::format("can't use the cache {}: {}. Name a folder of your own in the "
+                                 "environment variable GGRADE_CACHE",
+                                 folder.string(), error.message()));
 }
 
 /// One of our own programs: the reference or the stub.
@@ -121,6 +137,7 @@ std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture) {
 
 References prepareReferences(const Target& target, const fs::path& solutionFolder,
                              const ScenePlan& plan, const Progress& progress) {
+  makeCache();
   const Assignment& assignment = target.assignment;
   const std::string tool =
       hashOf(toolchain::kVersion + hashOfFiles(fs::path(toolchain::kKitFolder) / "lib") +
@@ -162,8 +179,6 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   }
 
   // The cache holds hidden scenes and the reference: nobody else's business.
-  fs::create_directories(cacheFolder());
-  fs::permissions(cacheFolder(), fs::perms(0700));
   all.shaders.folder = cacheFolder() / "shaders" / stub.key;
   if (jobs.empty() && fs::exists(all.shaders.folder)) return all;
   progress("building the reference and the stub", 0, jobs.size() + 1);

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <csignal>
+
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -101,6 +103,27 @@ TEST_F(BadInput, AnOutputFolderWithOtherThingsIsLeftAlone) {
     EXPECT_THAT(names(folder_.path() / "home"), ElementsAre("letter.txt"));
     EXPECT_EQ(read(letter), "dear");
   }
+}
+
+TEST_F(BadInput, ACacheThatCannotBeUsed) {
+  const fs::path file = folder_.write("notes.txt", "mine");
+  const Ended ended = runTool({"grade", "mirror", kSource / "assignments/floor", "--out", out_},
+                              {{"GGRADE_CACHE", file / "cache"}});
+  EXPECT_EQ(ended.exitCode, 2);
+  EXPECT_THAT(ended.errors, AllOf(HasSubstr("can't use the cache"), HasSubstr("GGRADE_CACHE")));
+  EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(BadInput, ACacheThatWasThereKeepsItsPermissions) {
+  const fs::path cache = folder_.path() / "cache";
+  fs::create_directory(cache);
+  fs::permissions(cache, fs::perms(0755));
+  Running running(words({"grade", "mirror", kSource / "assignments/floor", "--out", out_}),
+                  {{"GGRADE_CACHE", cache}});
+  ASSERT_TRUE(running.says("building the reference", 30)) << running.errors();
+  EXPECT_EQ(fs::status(cache).permissions(), fs::perms(0755));
+  running.signalGroup(SIGTERM);
+  EXPECT_EQ(running.wait(10).exitCode, 130);
 }
 
 TEST_F(BadInput, AnEarlierResultIsReplacedWhole) {

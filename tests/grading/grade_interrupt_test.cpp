@@ -93,6 +93,7 @@ TEST_F(Interrupt, WhileTheReferenceIsRendered) {
   EXPECT_FALSE(fs::exists(out_));
   const Ended again = runTool(arguments, environment_);
   EXPECT_EQ(again.exitCode, 0) << again.errors;
+  EXPECT_EQ(fs::status(cache).permissions(), fs::perms(0700)); // hidden scenes lie in it
   EXPECT_THAT(again.out, HasSubstr("100 / 100 + 10 bonus"));
 }
 

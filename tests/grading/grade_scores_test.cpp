@@ -91,10 +91,18 @@ TEST(Score, TheStubHasNothing) {
   EXPECT_EQ(graded.earned("mirror.keep_state"), 0);
 }
 
-class ConstantImage : public testing::TestWithParam<const char*> {};
+struct Color {
+  const char* name;
+  const char* code;
+};
+void PrintTo(const Color& color, std::ostream* out) {
+  *out << color.code;
+}
+
+class ConstantImage : public testing::TestWithParam<Color> {};
 
 TEST_P(ConstantImage, HasNothing) {
-  const Graded graded = grade(drawing(std::string("  const glm::vec3 color = ") + GetParam() +
+  const Graded graded = grade(drawing(std::string("  const glm::vec3 color = ") + GetParam().code +
                                           ";\n  glClearColor(color.r, color.g, color.b, 1);\n",
                                       "    glClear(GL_COLOR_BUFFER_BIT);\n"));
   EXPECT_EQ(graded.outcome(), "graded");
@@ -102,8 +110,11 @@ TEST_P(ConstantImage, HasNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Score, ConstantImage,
-                         testing::Values("glm::vec3(0)", "glm::vec3(1)", "glm::vec3(0.35)",
-                                         "scene.background"));
+                         testing::Values(Color{"Black", "glm::vec3(0)"},
+                                         Color{"White", "glm::vec3(1)"},
+                                         Color{"Grey", "glm::vec3(0.35)"},
+                                         Color{"Background", "scene.background"}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Score, NoiseHasNothing) {
   const Graded graded =
