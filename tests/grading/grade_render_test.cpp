@@ -164,6 +164,31 @@ TEST_F(Render, OddSizes) {
   }
 }
 
+TEST_F(Render, ThePassIsLeftOutWhereNothingCanBeReflected) {
+  // A reference that ends where it would make the framebuffer object.
+  Submission noPass = Submission::solution();
+  noPass.replace("floor.cpp", "  reflection.size = size;\n",
+                 "  reflection.size = size;\n  throw std::runtime_error(\"the pass is drawn\");\n");
+  const auto rendered = [&](const char* patch) {
+    json scene = json::parse(read(kSource / "assignments/floor/scene.json"));
+    scene.merge_patch(json::parse(patch));
+    return runTool({"render", noPass.path(), "--size", "64x48", "--out", out_, "--scene",
+                    folder_.write("scene.json", scene.dump())});
+  };
+  for (const char* patch : {R"({"camera": {"position": [0, -2, 7]}})",
+                            R"({"materials": {"floor": {"specular": [0, 0, 0]}}})",
+                            R"({"camera": {"position": [0, 3, 7], "target": [0, 9, 0]}})",
+                            R"({"effects": {"mirror": false}})"}) {
+    const Ended ended = rendered(patch);
+    EXPECT_EQ(ended.exitCode, 0) << patch << ended.errors;
+  }
+  EXPECT_THAT(rendered("{}").errors, HasSubstr("the pass is drawn"));
+  EXPECT_THAT(
+      rendered(R"({"camera": {"position": [0, -2, 7]}, "debug": {"draw_all_passes": true}})")
+          .errors,
+      HasSubstr("the pass is drawn"));
+}
+
 struct Scene {
   const char* name;
   const char* patch;
