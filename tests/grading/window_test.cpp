@@ -18,12 +18,13 @@ using testing::HasSubstr;
 
 namespace {
 
-/// An X server without a screen, on a display that nobody uses.
+/// An X server without a screen, on a display that nobody uses. It must not start afresh when its
+/// only client leaves: a program that connects just then would find no display.
 class Screen {
 public:
   Screen()
       : server_({"/usr/bin/Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-ac",
-                 "-nolisten", "tcp"}) {
+                 "-nolisten", "tcp", "-noreset"}) {
     for (int i = 0; i < 2000 && !ready(); ++i) usleep(5000);
   }
   ~Screen() {
