@@ -111,13 +111,7 @@ void score(report::Result& result) {
 std::vector<report::Item> unearned(const Target& target, const std::string& why) {
   std::vector<report::Item> items;
   for (const ItemDeclaration& declared : target.items()) {
-    report::Item item;
-    item.id = declared.id;
-    item.title = declared.title;
-    item.looksAt = declared.looksAt;
-    item.kind = declared.kind;
-    item.points = declared.points;
-    item.beyondLecture = declared.beyondLecture;
+    report::Item item = unjudgedItem(declared);
     item.message = why;
     items.push_back(std::move(item));
   }

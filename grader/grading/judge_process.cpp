@@ -76,6 +76,17 @@ std::string stepTitle(const Target& target, const std::string& todo) {
 
 } // namespace
 
+report::Item unjudgedItem(const ItemDeclaration& declared) {
+  report::Item item;
+  item.id = declared.id;
+  item.title = declared.title;
+  item.looksAt = declared.looksAt;
+  item.kind = declared.kind;
+  item.points = declared.points;
+  item.beyondLecture = declared.beyondLecture;
+  return item;
+}
+
 std::vector<report::Item> judge(const Target& target, const fs::path& evidence,
                                 const fs::path& work, const std::vector<std::string>& arguments,
                                 std::string& problem) {
@@ -92,13 +103,7 @@ std::vector<report::Item> judge(const Target& target, const fs::path& evidence,
   }
   std::vector<report::Item> items;
   for (const ItemDeclaration& declared : target.items()) {
-    report::Item item;
-    item.id = declared.id;
-    item.title = declared.title;
-    item.looksAt = declared.looksAt;
-    item.kind = declared.kind;
-    item.points = declared.points;
-    item.beyondLecture = declared.beyondLecture;
+    report::Item item = unjudgedItem(declared);
     if (const auto found = judged.find(declared.id); found != judged.end()) {
       item.judged = true;
       item.earned = found->second.at("earned");

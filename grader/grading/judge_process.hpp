@@ -6,6 +6,9 @@
 
 namespace ggrade::grading {
 
+/// An item as declared, with nothing earned yet.
+report::Item unjudgedItem(const ItemDeclaration& declared);
+
 /// Fills in the items of `target` from the judge's results in `work`. An item that the judge never
 /// reached stays unjudged and `problem` says why.
 std::vector<report::Item> judge(const Target& target, const std::filesystem::path& evidence,
