@@ -8,8 +8,11 @@
 /// captured side wrote is a claim: `Channel::read` (channel_reader.hpp) checks every length and
 /// range and copies the values out.
 ///
-/// Layout: Header, then `plan.frameCount` slots of `plan.slotBytes` bytes, each holding one frame
-/// as width x height x 4 bytes RGBA, row 0 at the bottom (as OpenGL has it).
+/// Layout: Header; trace::Tables if passes are recorded; `plan.frameCount` slots of
+/// `plan.slotBytes` bytes, each holding one frame as width x height x 4 bytes RGBA, row 0 at the
+/// bottom (as OpenGL has it); `plan.trace.copyBytes` bytes of copies. Each starts at a page.
+
+#include "trace/records.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,7 +21,7 @@
 namespace ggrade::channel {
 
 inline constexpr std::uint32_t kMagic = 0x31434747; ///< "GGC1"
-inline constexpr std::uint32_t kVersion = 1;
+inline constexpr std::uint32_t kVersion = 2;
 inline constexpr std::uint32_t kMaxFrames = 64;
 inline constexpr std::uint32_t kMaxMessages = 64;
 inline constexpr std::uint32_t kMaxSide = 16384; ///< pixels
@@ -44,6 +47,7 @@ struct Plan {
   std::uint32_t frameCount; ///< 1 to kMaxFrames
   std::uint32_t reserved;
   std::uint64_t slotBytes; ///< capacity of one frame; a larger window is reported, not written
+  trace::Request trace;    ///< what to record of the passes
   PlannedFrame frames[kMaxFrames];
 };
 
@@ -58,7 +62,8 @@ struct Message {
   std::uint32_t kind;  ///< MessageKind
   std::uint32_t frame; ///< frame it came in first, counted from 0
   std::uint32_t count;
-  char text[244]; ///< UTF-8, ends in 0
+  std::uint32_t pass; ///< the pass that it came in first, or trace::kNone
+  char text[240];     ///< UTF-8, ends in 0
 };
 
 /// What happened up to one glfwSwapBuffers.
@@ -70,8 +75,12 @@ struct FrameRecord {
   std::uint32_t windowClears;     ///< clears that reached the window
   std::uint32_t boundFramebuffer; ///< GL_DRAW_FRAMEBUFFER_BINDING at the swap
   std::uint32_t windowSrgb;       ///< 1 if GL_FRAMEBUFFER_SRGB was on for the window (it is linear)
+  std::uint32_t firstPass;        ///< in the table of passes
+  std::uint32_t passCount;
   std::uint32_t reserved;
-  double seconds; ///< wall time since the swap before (or since the context, for frame 0)
+  double seconds;           ///< wall time since the swap before (or since the context, for frame 0)
+  std::uint64_t imageBytes; ///< of all textures and renderbuffers, if passes are recorded
+  std::uint64_t bufferBytes; ///< of all buffer objects, if passes are recorded
 };
 
 struct Header {
@@ -94,16 +103,34 @@ struct Header {
 static_assert(std::is_trivially_copyable_v<Header>);
 static_assert(sizeof(Message) == 256);
 
+inline constexpr std::uint64_t kPage = 4096;
+/// Most room for copies that a plan may ask for.
+inline constexpr std::uint64_t kMaxCopyBytes = std::uint64_t{2} << 30;
+
+constexpr std::uint64_t pageAligned(std::uint64_t bytes) {
+  return (bytes + kPage - 1) / kPage * kPage;
+}
+
+/// Offset in bytes of the tables from the start of the file. Only there if `plan.trace.passes`.
+constexpr std::uint64_t tablesOffset() {
+  return pageAligned(sizeof(Header));
+}
+
 /// Offset in bytes of frame `index`'s pixels from the start of the file.
 constexpr std::uint64_t slotOffset(const Plan& plan, std::uint32_t index) {
-  constexpr std::uint64_t page = 4096;
-  const std::uint64_t first = (sizeof(Header) + page - 1) / page * page;
+  const std::uint64_t first =
+      tablesOffset() + (plan.trace.passes ? pageAligned(sizeof(trace::Tables)) : 0);
   return first + index * plan.slotBytes;
+}
+
+/// Offset in bytes of the copies.
+constexpr std::uint64_t copiesOffset(const Plan& plan) {
+  return pageAligned(slotOffset(plan, plan.frameCount));
 }
 
 /// Size of the whole file in bytes.
 constexpr std::uint64_t totalBytes(const Plan& plan) {
-  return slotOffset(plan, plan.frameCount);
+  return copiesOffset(plan) + plan.trace.copyBytes;
 }
 
 } // namespace ggrade::channel

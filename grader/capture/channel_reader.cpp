@@ -47,7 +47,8 @@ void writePlan(int descriptor, const Plan& plan) {
   }
 }
 
-Plan makePlan(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels) {
+Plan makePlan(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels,
+              const trace::Request& trace) {
   const auto require = [](bool met, const std::string& rule) {
     if (!met) throw std::invalid_argument("capture plan: " + rule);
   };
@@ -67,6 +68,7 @@ Plan makePlan(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels) 
   }
   plan.slotBytes = 4 * pixels;
   std::copy(frames.begin(), frames.end(), plan.frames);
+  plan.trace = trace;
   return plan;
 }
 
@@ -194,8 +196,9 @@ void readPixels(int descriptor, std::uint64_t offset, CapturedFrame& frame) {
 
 } // namespace
 
-Channel::Channel(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels)
-    : plan_(makePlan(frames, maxPixels)),
+Channel::Channel(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels,
+                 const trace::Request& trace)
+    : plan_(makePlan(frames, maxPixels, trace)),
       descriptor_(memfd_create("ggrade-capture", MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
   if (descriptor_ < 0) throwSystem("cannot create the capture channel");
   try {

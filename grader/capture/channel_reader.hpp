@@ -4,6 +4,7 @@
 /// copied out first, and each length and range is checked before it is used.
 
 #include "capture/channel.hpp"
+#include "trace/trace.hpp"
 
 #include <cstdint>
 #include <string>
@@ -16,6 +17,7 @@ struct CapturedMessage {
   MessageKind kind;
   std::uint32_t frame;
   std::uint32_t count;
+  std::uint32_t pass; ///< index in the trace, or trace::kNone
   std::string text;
 };
 
@@ -46,6 +48,7 @@ struct Capture {
   std::vector<CapturedFrame> frames; ///< as many as were swapped, at most the plan's
   std::vector<CapturedMessage> messages;
   std::uint32_t messagesLost = 0;
+  trace::Trace trace; ///< empty unless the plan asked for passes
 };
 
 /// Pixels of the largest frame that is accepted from a program that chooses its window's size
@@ -59,7 +62,7 @@ public:
   /// counts for frames that leave a side to the program. Throws std::invalid_argument for an
   /// impossible plan, std::system_error when the system refuses.
   explicit Channel(const std::vector<PlannedFrame>& frames,
-                   std::uint64_t maxPixels = kDefaultMaxPixels);
+                   std::uint64_t maxPixels = kDefaultMaxPixels, const trace::Request& trace = {});
   ~Channel();
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;

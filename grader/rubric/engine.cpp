@@ -107,12 +107,12 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
       message = fmt::format("the window is {} instead of {}", odd.second->sizeText(),
                             odd.first->sizeText());
     } else {
-      const Verdict verdict = checked(judge, {scene, scene.student});
+      const Verdict verdict = checked(judge, {scene, scene.student, scene.studentTrace});
       message = verdict.message;
       credit = verdict.quality;
       // Nothing is left to scale where the student is as good as the reference.
       if (item.kind != report::ItemKind::keep && verdict.quality < 1) {
-        const double floor = checked(judge, {scene, scene.stub}).quality;
+        const double floor = checked(judge, {scene, scene.stub, scene.stubTrace}).quality;
         // Where the stub is as good as the reference, the scene can't show the item.
         if (floor > 0.99) continue;
         credit = std::clamp((verdict.quality - floor) / (1 - floor), 0.0, 1.0);

@@ -4,6 +4,7 @@
 /// the probes, scene by scene. The grading process writes it, the judging process reads it.
 
 #include "image/image.hpp"
+#include "trace/trace.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -41,7 +42,8 @@ struct SceneEvidence {
   std::size_t frameCount = 0;
   Frames student; ///< fewer than frameCount if the program didn't get that far
   Frames reference, stub;
-  std::map<std::string, Frames> probes; ///< reference only, see scenes.json
+  trace::Trace studentTrace, referenceTrace, stubTrace; ///< with copies of the first frame's passes
+  std::map<std::string, Frames> probes;                 ///< reference only, see scenes.json
 
   bool has(const std::string& tag) const;
 };

@@ -21,6 +21,7 @@ namespace ggrade::rubric {
 struct View {
   const SceneEvidence& scene;
   const Frames& frames;
+  const trace::Trace& trace; ///< the passes that made them; with copies in the first frame
 };
 
 /// How right the frames are: 1 is as good as the reference, 0 has nothing of it. Must be finite.

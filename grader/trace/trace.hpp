@@ -1,0 +1,74 @@
+#pragma once
+/// \file
+/// The recorded passes of a run, as a rubric, a report or a person asks for them.
+
+#include "image/image.hpp"
+#include "trace/records.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace ggrade::trace {
+
+/// What GL held and what came of a frame.
+struct FrameTrace {
+  std::uint32_t firstPass = 0, passCount = 0;
+  std::uint64_t imageBytes = 0;  ///< textures (all levels) and renderbuffers at the swap
+  std::uint64_t bufferBytes = 0; ///< buffer objects
+};
+
+/// All records have been checked: indices lie in their tables, sizes agree. Passes stand in the
+/// order in which they began.
+struct Trace {
+  std::vector<FrameTrace> frames; ///< as many as were swapped; empty if nothing was asked for
+  std::vector<PassRecord> passes;
+  std::vector<StepRecord> steps;
+  std::vector<MatrixRecord> matrices;
+  std::vector<SampleRecord> samples;
+  std::vector<CopyRecord> copies;
+  std::uint32_t passesLost = 0, stepsLost = 0, matricesLost = 0, samplesLost = 0, copiesLost = 0;
+
+  std::span<const StepRecord> stepsOf(const PassRecord& pass) const;
+  std::span<const MatrixRecord> matricesOf(const StepRecord& step) const;
+  std::span<const SampleRecord> samplesOf(const StepRecord& step) const;
+  /// Index of a pass in `passes`.
+  std::uint32_t indexOf(const PassRecord& pass) const {
+    return static_cast<std::uint32_t>(&pass - passes.data());
+  }
+  std::span<const PassRecord> passesOf(std::size_t frame) const;
+
+  /// The copy of an attachment after a pass (after a step, if one is named), or null.
+  const CopyRecord* copyOf(std::uint32_t pass, std::uint32_t attachment,
+                           std::uint32_t step = kNone) const;
+  /// Its pixels, row 0 on top: 4 channels (colour, integers as whole numbers) or 1 (depth 0 to 1,
+  /// stencil 0 to 255). Throws UsageError when the file of copies can't be read.
+  Image image(const CopyRecord& copy) const;
+
+  /// Bytes of all copies: in memory, or in this file when `pixels` is empty.
+  std::vector<std::byte> pixels;
+  std::filesystem::path pixelFile;
+};
+
+/// Writes `trace.bin` and `copies.bin` to `folder`; for this tool's own use, on this machine.
+/// Throws UsageError when the disk is full.
+void save(const Trace& trace, const std::filesystem::path& folder);
+/// Reads them back; copies are read when they are asked for. An empty Trace if there is no
+/// `trace.bin`. Throws UsageError for a file that is cut off.
+Trace load(const std::filesystem::path& folder);
+
+/// "RGBA16F" for GL_RGBA16F, "0x1234" for a number that has no name here. Formats, targets, blend
+/// factors, comparison functions, wrap modes, filters, framebuffer status.
+std::string glName(std::uint32_t value);
+
+/// "color0" to "color7", "depth", "stencil".
+std::string attachmentName(std::uint32_t attachment);
+
+/// The passes as trace.json has them; docs/trace.md is the schema. `imageOf(copy)` names the
+/// picture file of a copy, or is empty when there is none.
+nlohmann::json toJson(const Trace& trace, const std::vector<std::string>& imageOfCopy);
+
+} // namespace ggrade::trace
