@@ -1,32 +1,39 @@
-// floor: objects hop in a ring over a chequered floor, and the floor reflects them.
+// floor: objects hop in a ring over a chequered floor. The floor reflects them, they throw shadows,
+// and what glows is surrounded by its light.
 //
-// The passes of one frame:
-//   mirror   the objects as the floor sees them  -> a framebuffer object
-//   objects  the objects themselves              -> the window
-//   floor    the floor, adding the reflection    -> the window
+// The passes of one frame, each drawn only if the scene can show it:
+//   shadow     the objects' depths, seen from the light   -> a depth texture
+//   mirror     the objects, as the floor sees them        -> a framebuffer object
+//   objects    the objects themselves                     -> the window; with bloom, the scene's
+//   floor      the floor, adding the reflection              framebuffer object
+//   bright     the scene's bright parts                   -> bloom level 0, half as large
+//   down       each level from the next larger one        -> bloom levels 1, 2, ...
+//   up         each level adds the next smaller one       -> bloom levels ..., 1, 0
+//   composite  the scene and bloom level 0                -> the window
+
+#include "bloom.hpp"
+#include "mirror.hpp"
+#include "shadow.hpp"
 
 #include <gg/gg.hpp>
+
+#include <optional>
 
 namespace {
 
 constexpr float kPi = 3.14159265f;
 
-// The framebuffer object that the mirror pass draws into. The floor samples `color`; nobody reads
-// `depth` afterwards, so a renderbuffer is enough for it.
-struct Reflection {
-  gg::Texture color;
-  gg::Renderbuffer depth;
-  gg::Framebuffer framebuffer;
-  GLsizei size = 0; // pixels, width and height
-};
-
-// TODO(mirror.1): make the framebuffer object of the reflection.
-//   Given:  `size` (pixels) and the names in `reflection` (made, still empty).
-//   Do:     storage for `color` (linear filter, clamp to edge) and `depth`; attach both to
-//           `framebuffer`; throw std::runtime_error if it isn't complete; bind the window again.
-//   Expect: the picture doesn't change yet.                             (handout: step 1)
-void makeReflection(Reflection& reflection, GLsizei size) {
-  reflection.size = size;
+// Corners of a box around all objects, wherever they hop; world space.
+std::array<glm::vec3, 8> objectsBox(const gg::Scene& scene, const gg::Mesh& mesh) {
+  const float scale = scene.real("ring.scale");
+  const glm::vec3 size = glm::max(glm::abs(mesh.lowest()), glm::abs(mesh.highest())) * scale;
+  const float reach = scene.real("ring.radius") + glm::length(glm::vec2(size.x, size.z));
+  const float low = scene.real("ring.base") + mesh.lowest().y * scale;
+  const float high = scene.real("ring.base") + scene.real("ring.hop") + mesh.highest().y * scale;
+  std::array<glm::vec3, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {i & 1 ? reach : -reach, i & 2 ? high : low, i & 4 ? reach : -reach};
+  return corners;
 }
 
 // The object's own colour: six that can be told apart.
@@ -34,7 +41,7 @@ glm::vec3 objectColor(int i) {
   return {(i & 1) * 0.4f + 0.4f, (i & 2) * 0.2f + 0.4f, (i & 4) * 0.1f + 0.4f};
 }
 
-// Draws the ring of hopping objects with `program`.
+// Draws the ring of hopping objects with `program`; every other one glows.
 //   projection: clip from eye;  view: eye from world;  time: seconds
 void drawObjects(const gg::Program& program, const glm::mat4& projection, const glm::mat4& view,
                  const gg::Mesh& mesh, const gg::UniformBuffer<gg::Material>& material,
@@ -59,29 +66,11 @@ void drawObjects(const gg::Program& program, const glm::mat4& projection, const 
     program.set("uView", view);
     program.set("uModel", model);
     program.set("uNormal", gg::cofactor(view * model));
+    // Squared: a deeper hue, which stays visible in what shines white.
+    program.set("uGlow", i % 2 == 0 ? glm::vec3(0)
+                                    : scene.real("ring.glow") * objectColor(i) * objectColor(i));
     mesh.draw();
   }
-}
-
-// Can this view show a reflection? Not if the effect is off, the floor reflects nothing, the eye is
-// not above the floor, or the whole floor lies outside one side of the view volume.
-bool showsReflection(const gg::Scene& scene, const glm::mat4& clipFromWorld) {
-  if (!scene.flag("effects.mirror")) return false;
-  if (scene.flag("debug.draw_all_passes")) return true;
-  if (glm::vec3(scene.material("floor").specular) == glm::vec3(0)) return false;
-  if (scene.camera.position.y <= 0) return false;
-
-  const float x = scene.real("floor.width") / 2, z = scene.real("floor.depth") / 2;
-  const glm::vec4 corners[] = {
-      clipFromWorld * glm::vec4(-x, 0, -z, 1), clipFromWorld * glm::vec4(x, 0, -z, 1),
-      clipFromWorld * glm::vec4(-x, 0, z, 1), clipFromWorld * glm::vec4(x, 0, z, 1)};
-  for (int axis = 0; axis < 3; ++axis) {
-    for (float side : {-1.0f, 1.0f}) {
-      const auto outside = [&](const glm::vec4& corner) { return side * corner[axis] > corner.w; };
-      if (std::all_of(std::begin(corners), std::end(corners), outside)) return false;
-    }
-  }
-  return true;
 }
 
 } // namespace
@@ -98,6 +87,11 @@ void app(const gg::Scene& scene) {
   const gg::UniformBuffer<gg::Light> light(gg::kLightBinding);
   const gg::UniformBuffer<gg::Material> material(gg::kMaterialBinding);
   Reflection reflection;
+  // What a scene can't show isn't made.
+  std::optional<ShadowMap> shadowMap;
+  std::optional<Bloom> bloom;
+  if (showsShadow(scene)) shadowMap.emplace();
+  if (scene.flag("effects.bloom")) bloom.emplace();
 
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
@@ -108,41 +102,86 @@ void app(const gg::Scene& scene) {
     const glm::mat4 projection = scene.camera.projection(window.aspect()); // clip from eye
     const glm::mat4 view = scene.camera.view();                            // eye from world
     const bool mirror = showsReflection(scene, projection * view);
+    const bool glows = bloom && showsBloom(scene);
+
+    // Pass "shadow": the objects' depths as the light sees them, into the shadow map.
+    LightCamera camera;
+    if (shadowMap) {
+      if (shadowMap->size == 0)
+        makeShadowMap(*shadowMap, scene.integer("quality.shadow_size"), depthFormat(scene));
+      camera = lightCamera(glm::vec3(scene.light.position), objectsBox(scene, object));
+
+      // TODO(shadow.3): draw the objects into the shadow map.
+      //   Given:  `shadowMap`, `camera`, drawObjects(), and shadowMap->program to draw with.
+      //   Do:     bind its framebuffer, set the viewport to its size, clear the depth, draw the
+      //           objects with the light's projection and view; then the window and its viewport.
+      //   Expect: the picture doesn't change yet.                     (shadow.md, step 3)
+    }
+
+    // What the shaders need to ask the shadow map (shadow.glsl).
+    for (const gg::Program* program : {&objectProgram, &mirrorProgram, &tileProgram}) {
+      program->set("uShadow", shadowMap.has_value());
+      program->set("uLightClipFromWorld", camera.projection * camera.view);
+      program->set("uLightWorld", glm::vec3(scene.light.position));
+      program->set("uShadowBias", scene.integer("quality.shadow_bias"));
+      program->set("uPcfRadius", scene.integer("quality.pcf_radius"));
+      program->set("uShadowTexel", 2 / (std::min(camera.projection[0][0], camera.projection[1][1]) *
+                                        static_cast<float>(scene.integer("quality.shadow_size"))));
+      program->set("uShadowMap", 1); // texture unit
+    }
+    // TODO(shadow.4): bind the shadow map's depth texture to unit 1 (then unit 0 again), and
+    //   ask it in shadow.glsl.
 
     // Pass "mirror": the objects as the floor sees them, into the framebuffer object.
     if (mirror) {
-      if (reflection.size == 0) makeReflection(reflection, scene.integer("quality.mirror_size"));
+      if (reflection.size == 0)
+        makeReflection(reflection, scene.integer("quality.mirror_size"),
+                       bloom ? lightFormat(scene) : GL_RGBA8);
 
       // TODO(mirror.2): draw into the framebuffer object instead of the window.
       //   Given:  `reflection`.
       //   Do:     bind its framebuffer, set the viewport to its size, clear colour and depth.
       //           Below, at the end of the pass: bind the window (0), set its viewport again.
-      //   Expect: the picture still doesn't change.                   (handout: step 2)
+      //   Expect: the picture still doesn't change.                   (mirror.md, step 2)
 
       // TODO(mirror.5): a mirror turns every triangle round: cull the front faces here, the back
       //   faces again below, and negate the normal in mirror.vert.
-      //   Expect: solid objects in the floor, lit like the real ones. (handout: step 5)
+      //   Expect: solid objects in the floor, lit like the real ones. (mirror.md, step 5)
 
       // TODO(mirror.6): clip away what lies below the floor: enable GL_CLIP_DISTANCE0 here,
       //   disable it below, and write gl_ClipDistance[0] in mirror.vert.
-      //   Expect: sunken objects no longer stick out of the floor.    (handout: step 6)
+      //   Expect: sunken objects no longer stick out of the floor.    (mirror.md, step 6)
 
       // TODO(mirror.4): draw the objects mirrored at the plane y = 0.
       //   Given:  `projection`, `view`, drawObjects(), `mirrorProgram`, `light`.
       //   Do:     the mirrored view is the view times a scale of (1, -1, 1); load the light in the
       //           space of that view (scene.light.in(...)); draw with `mirrorProgram`.
-      //   Expect: coloured shapes appear in the floor, inside out.    (handout: step 4)
+      //   Expect: coloured shapes appear in the floor, inside out.    (mirror.md, step 4)
 
       // TODO(mirror.6) and TODO(mirror.5) end here, then TODO(mirror.2).
     }
 
-    // Pass "objects": into the window.
+    // With bloom the scene goes into a framebuffer object of its own, not into the window.
+    if (bloom) {
+      const glm::ivec2 size(window.width(), window.height());
+      if (bloom->size != size) {
+        makeScene(*bloom, size, lightFormat(scene));
+        if (glows)
+          makeLevels(*bloom, scene.integer("quality.bloom_levels"), lightFormat(scene),
+                     scene.integer("quality.bloom_edge") == 0 ? GL_CLAMP_TO_EDGE
+                                                              : GL_MIRRORED_REPEAT);
+      }
+      // TODO(bloom.2): bind the scene's framebuffer (its size is the window's: so is the viewport).
+      //   Then the composite pass in bloom.hpp.                       (bloom.md, step 2)
+    }
+
+    // Pass "objects".
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     light.load(scene.light.in(view));
     objectProgram.use();
     drawObjects(objectProgram, projection, view, object, material, scene, time);
 
-    // Pass "floor": into the window.
+    // Pass "floor".
     tileProgram.use();
     tileProgram.set("uProjection", projection);
     tileProgram.set("uView", view);
@@ -154,9 +193,25 @@ void app(const gg::Scene& scene) {
     tileProgram.set("uReflection", 0); // texture unit
     // TODO(mirror.3): let the floor sample the reflection: bind its colour texture to unit 0 here,
     //   and add it in tile.frag.
-    //   Expect: the floor takes on the tint of the background.        (handout: step 3)
+    //   Expect: the floor takes on the tint of the background.        (mirror.md, step 3)
     material.load(scene.material("floor"));
     rectangle.draw();
+
+    // Passes "bright", "down", "up" and "composite".
+    if (bloom) {
+      const int filter = scene.integer("quality.bloom_filter");
+      glDisable(GL_DEPTH_TEST);
+      glActiveTexture(GL_TEXTURE0);
+      glBindSampler(0, bloom->sampler);
+      if (glows) {
+        brightPass(*bloom, scene.real("bloom.threshold"));
+        downPasses(*bloom, filter);
+        upPasses(*bloom, filter);
+      }
+      compositePass(*bloom, {window.width(), window.height()}, glows, filter);
+      glBindSampler(0, 0);
+      glEnable(GL_DEPTH_TEST);
+    }
 
     window.swapBuffers();
   }

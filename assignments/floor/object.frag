@@ -2,13 +2,21 @@
 // Blinn-Phong lighting of the objects, in eye space.
 
 #include "gg/lighting.glsl"
+#include "shadow.glsl"
+
+uniform mat4 uView; // eye from world
+uniform vec3 uGlow; // light of the object's own
 
 in vec3 vPosition; // eye space
 in vec3 vNormal;   // eye space, any length
+in vec3 vWorld;
 
 layout(location = 0) out vec4 oColor;
 
 void main() {
-  Lit lit = blinnPhong(vPosition, normalize(vNormal));
-  oColor = vec4(lit.ambient + lit.diffuse + lit.specular, 1);
+  vec3 normal = normalize(vNormal);
+  Lit lit = blinnPhong(vPosition, normal);
+  // A view turns (and mirrors) but doesn't stretch: its transpose takes directions back.
+  float visible = visibility(vWorld, transpose(mat3(uView)) * normal);
+  oColor = vec4(lit.ambient + visible * (lit.diffuse + lit.specular) + uGlow, 1);
 }

@@ -11,9 +11,12 @@ layout(location = 1) in vec3 aNormal;
 
 out vec3 vPosition; // eye space
 out vec3 vNormal;   // eye space
+out vec3 vWorld;
 
 void main() {
-  vec4 position = uView * uModel * aPosition;
+  vec4 world = uModel * aPosition;
+  vec4 position = uView * world;
+  vWorld = world.xyz;
   vPosition = position.xyz;
   vNormal = uNormal * aNormal;
   gl_Position = uProjection * position;

@@ -2,6 +2,7 @@
 // The chequered floor and what it reflects.
 
 #include "gg/lighting.glsl"
+#include "shadow.glsl"
 
 const vec3 kLightTile = vec3(0.9, 0.9, 0.9);
 const vec3 kDarkTile = vec3(0.6, 0.7, 0.8);
@@ -15,15 +16,16 @@ uniform int uBlurSamples;
 
 in vec3 vPosition; // eye space
 in vec3 vNormal;   // eye space
-in vec2 vGround;   // world x and z
+in vec3 vWorld;
 
 layout(location = 0) out vec4 oColor;
 
 void main() {
-  vec2 tile = floor(vGround * uTilesPerUnit);
+  vec2 tile = floor(vWorld.xz * uTilesPerUnit);
   vec3 albedo = mix(kLightTile, kDarkTile, mod(tile.x + tile.y, 2));
   Lit lit = blinnPhong(vPosition, normalize(vNormal));
-  vec3 color = (lit.ambient + lit.diffuse) * albedo + lit.specular;
+  float visible = visibility(vWorld, vec3(0, 1, 0));
+  vec3 color = (lit.ambient + visible * lit.diffuse) * albedo + visible * lit.specular;
 
   vec3 reflected = vec3(0);
   if (uMirror) {

@@ -37,27 +37,33 @@ Arguments parseArguments(const std::vector<std::string>& words) {
       result.help = true;
       continue;
     }
-    if (option != "--scene" && option != "--mesh" && option != "--size")
+    if (option != "--scene" && option != "--part" && option != "--mesh" && option != "--size")
       throw UsageError(fmt::format("unknown argument \"{}\"", words[i]));
     if (equals == std::string::npos && i + 1 == words.size())
       throw UsageError(option + " needs a value");
     const std::string value =
         equals != std::string::npos ? words[i].substr(equals + 1) : words[++i];
     if (option == "--scene") result.scene = value;
+    if (option == "--part") result.part = value;
     if (option == "--mesh") result.mesh = value;
     if (option == "--size") result.size = parseSize(value);
   }
+  if (result.part && result.scene)
+    throw UsageError("--part and --scene both choose the scene; give one of them");
   return result;
 }
 
 std::string usage(const std::string& program) {
-  return fmt::format("usage: {} [--scene FILE] [--mesh NAME] [--size WIDTHxHEIGHT]\n"
-                     "  --scene FILE   draw this scene (default: scene.json beside the program)\n"
-                     "  --mesh NAME    torus_knot, box, plane or an OBJ file\n"
-                     "  --size WxH     size of the window in pixels\n"
-                     "  --help         print this\n"
-                     "Esc closes the window.\n",
-                     program);
+  return fmt::format(
+      "usage: {} [--part ID | --scene FILE] [--mesh NAME] [--size WIDTHxHEIGHT]\n"
+      "  --part ID      draw scene.json as this part of the assignment wants it (default: "
+      "all parts)\n"
+      "  --scene FILE   draw this scene\n"
+      "  --mesh NAME    torus_knot, box, plane or an OBJ file\n"
+      "  --size WxH     size of the window in pixels\n"
+      "  --help         print this\n"
+      "Esc closes the window.\n",
+      program);
 }
 
 } // namespace gg::detail

@@ -14,6 +14,7 @@ namespace gg::detail {
 struct Arguments {
   bool help = false;
   std::optional<std::string> scene; ///< file to read instead of scene.json
+  std::optional<std::string> part;  ///< of the assignment, whose scene settings count
   std::optional<std::string> mesh;  ///< replaces the scene's key `mesh`
   std::optional<glm::ivec2> size;   ///< replaces the scene's size
 };

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "arguments.hpp"
+#include "parts.hpp"
 #include <gg/app.hpp>
 #include <gg/error.hpp>
 #include <gg/exit_code.hpp>
@@ -25,10 +26,13 @@ std::string meshFromHere(const std::string& name) {
 
 void run(const gg::detail::Arguments& arguments) {
   const std::filesystem::path folder = gg::programFolder();
-  const std::string sceneFile =
-      arguments.scene ? *arguments.scene : gg::toUtf8(folder / "scene.json");
+  const auto declared = gg::Declarations::fromFile(gg::toUtf8(folder / "assignment.json"));
+  // Read as it stands first: a fault is reported with its line.
   gg::Scene scene = gg::Scene::fromFile(
-      sceneFile, gg::Declarations::fromFile(gg::toUtf8(folder / "assignment.json")));
+      arguments.scene ? *arguments.scene : gg::toUtf8(folder / "scene.json"), declared);
+  if (!arguments.scene)
+    scene = gg::Scene::fromText(gg::detail::sceneOfPart(folder, arguments.part.value_or("")),
+                                "scene.json", declared);
   if (arguments.size) scene.size = *arguments.size;
   if (arguments.mesh) {
     if (!scene.has("mesh"))

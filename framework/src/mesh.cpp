@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include <glm/common.hpp>
+
 #include <gg/platform.hpp>
 #include <gg/text_file.hpp>
 
@@ -29,6 +31,11 @@ Mesh::Mesh(const MeshData& data) : indexCount_(static_cast<GLsizei>(data.indices
   const std::size_t count = data.positions.size();
   if (data.normals.size() != count || data.uvs.size() != count || data.tangents.size() != count)
     throw std::invalid_argument("a mesh needs as many normals, uvs and tangents as positions");
+  if (count > 0) lowest_ = highest_ = data.positions[0];
+  for (const glm::vec3& position : data.positions) {
+    lowest_ = glm::min(lowest_, position);
+    highest_ = glm::max(highest_, position);
+  }
   std::vector<Vertex> vertices(count);
   for (std::size_t i = 0; i < count; ++i)
     vertices[i] = {data.positions[i], data.normals[i], data.uvs[i], data.tangents[i]};

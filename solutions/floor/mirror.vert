@@ -15,10 +15,12 @@ layout(location = 1) in vec3 aNormal;
 
 out vec3 vPosition; // mirrored eye space
 out vec3 vNormal;   // mirrored eye space
+out vec3 vWorld;    // where the object really is, not its mirror image
 
 void main() {
   vec4 world = uModel * aPosition;
   vec4 position = uView * world;
+  vWorld = world.xyz;
   vPosition = position.xyz;
   vNormal = uNormal * aNormal;
   // TODO(mirror.5): the mirror has turned the normal inside: negate it.

@@ -9,12 +9,12 @@ layout(location = 1) in vec3 aNormal;
 
 out vec3 vPosition; // eye space
 out vec3 vNormal;   // eye space
-out vec2 vGround;   // world x and z
+out vec3 vWorld;
 
 void main() {
   vec4 position = uView * aPosition;
   vPosition = position.xyz;
   vNormal = mat3(uView) * aNormal;
-  vGround = aPosition.xz;
+  vWorld = aPosition.xyz;
   gl_Position = uProjection * position;
 }

@@ -23,11 +23,16 @@ public:
   GLuint vertexArray() const { return vertexArray_; }
   GLsizei indexCount() const { return indexCount_; }
 
+  /// Corners of the box around it, in its own space.
+  const glm::vec3& lowest() const { return lowest_; }
+  const glm::vec3& highest() const { return highest_; }
+
 private:
   VertexArray vertexArray_;
   Buffer vertices_;
   Buffer indices_;
   GLsizei indexCount_ = 0;
+  glm::vec3 lowest_{0}, highest_{0};
 };
 
 /// The mesh of this name or file (see loadMeshData); paths start at the program's folder.
