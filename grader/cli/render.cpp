@@ -1,9 +1,7 @@
 #include "cli/commands.hpp"
 
-#include "assignment/assignment.hpp"
+#include "cli/rendering.hpp"
 #include "cli/terminal.hpp"
-#include "grading/overlay.hpp"
-#include "grading/program.hpp"
 #include "grading/references.hpp"
 #include "grading/workspace.hpp"
 #include "image/png.hpp"
@@ -11,7 +9,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <sstream>
@@ -22,7 +19,6 @@ namespace ggrade::cli {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using sandbox::Isolation;
 
 namespace {
 
@@ -31,73 +27,6 @@ struct Options {
   std::vector<double> times = {0};
   bool solution = false, json = false;
 };
-
-struct Size {
-  std::uint32_t width = 0, height = 0; ///< pixels; 0 as the program asks
-};
-
-Size parseSize(const std::string& text) {
-  if (text.empty()) return {};
-  // Wide enough that a number which is too large stays one.
-  unsigned long long width = 0, height = 0;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%llux%llu%c", &width, &height, &rest) != 2 || width < 1 ||
-      height < 1 || width > channel::kMaxSide || height > channel::kMaxSide)
-    throw UsageError(fmt::format("--size {}: must be WIDTHxHEIGHT, such as 640x480, each 1 to {}",
-                                 text, channel::kMaxSide));
-  return {std::uint32_t(width), std::uint32_t(height)};
-}
-
-void checkTimes(const std::vector<double>& times) {
-  for (double time : times)
-    if (!std::isfinite(time) || time < 0)
-      throw UsageError(fmt::format("--times {}: a time is a number of seconds from 0", time));
-  if (times.size() > channel::kMaxFrames)
-    throw UsageError(fmt::format("--times: {} frames are more than {}: render them in parts",
-                                 times.size(), channel::kMaxFrames));
-}
-
-/// Which assignment a folder of files belongs to: the one whose program it holds.
-Target targetOf(const Options& options) {
-  const fs::path folder = options.target;
-  if (!fs::is_directory(folder)) return findTarget(assignmentsFolder(), options.target);
-  for (Assignment& assignment : loadAssignments(assignmentsFolder()))
-    if (fs::exists(folder / (assignment.id + ".cpp")))
-      return findTarget(assignmentsFolder(), assignment.id);
-  throw UsageError(
-      fmt::format("{} holds no assignment's program; an assignment is rendered from ID.cpp "
-                  "(see ggrade list)",
-                  options.target));
-}
-
-grading::Rendering renderTarget(const Options& options, Progress& progress) {
-  const Target target = targetOf(options);
-  const std::string& id = target.assignment.id;
-  const bool upload = fs::is_directory(options.target);
-  const fs::path sources = upload             ? fs::path(options.target)
-                           : options.solution ? solutionFolder(id)
-                                              : target.assignment.folder;
-  // A folder may be a stranger's; an ID names this tree's own files.
-  const Isolation isolation = upload ? Isolation::bwrap : Isolation::none;
-  if (upload) requireSandbox();
-
-  json scene = grading::readScene(target.assignment, options.scene.empty()
-                                                         ? target.assignment.folder / "scene.json"
-                                                         : fs::path(options.scene));
-  if (options.scene.empty())
-    for (const Part& part : target.parts) scene.merge_patch(part.scene);
-  const Size size = parseSize(options.size);
-  if (size.width) scene["size"] = {size.width, size.height};
-
-  grading::TemporaryFolder work;
-  const fs::path program = work.makeVisible("program");
-  grading::overlay(target.assignment, sources, program);
-  progress("building", 0, 2);
-  const grading::Happened built = grading::buildProgram(id, program, isolation);
-  if (!built.ok()) return {built, {}};
-  progress("rendering", 1, 2);
-  return grading::renderScene(id, program, scene, options.times, {}, isolation);
-}
 
 /// The program that a shell would start. Throws UsageError if there is none.
 std::string findProgram(const std::string& name) {
@@ -145,7 +74,7 @@ json trace(const grading::Rendering& rendering) {
 
 void render(const Options& options) {
   const fs::path out = outputFolder(options.out);
-  checkTimes(options.times);
+  checkTimes(options.times, "--times");
   Progress progress("render");
   if (afterDashes.empty() == options.target.empty())
     throw UsageError("name either an assignment or folder, or a program after --; see ggrade "
@@ -154,7 +83,8 @@ void render(const Options& options) {
   if (!afterDashes.empty()) afterDashes[0] = findProgram(afterDashes[0]);
   const grading::Rendering rendering =
       afterDashes.empty()
-          ? renderTarget(options, progress)
+          ? renderTarget({options.target, options.scene, size, options.times, options.solution},
+                         progress)
           : grading::renderProgram(afterDashes, options.times, size.width, size.height);
   progress.clear();
 

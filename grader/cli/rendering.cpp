@@ -1,0 +1,85 @@
+#include "cli/rendering.hpp"
+
+#include "assignment/assignment.hpp"
+#include "cli/commands.hpp"
+#include "grading/overlay.hpp"
+#include "grading/references.hpp"
+#include "grading/workspace.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace ggrade::cli {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using sandbox::Isolation;
+
+namespace {
+
+/// Which assignment a folder of files belongs to: the one whose program it holds.
+Target targetOf(const std::string& named) {
+  const fs::path folder = named;
+  if (!fs::is_directory(folder)) return findTarget(assignmentsFolder(), named);
+  for (Assignment& assignment : loadAssignments(assignmentsFolder()))
+    if (fs::exists(folder / (assignment.id + ".cpp")))
+      return findTarget(assignmentsFolder(), assignment.id);
+  throw UsageError(
+      fmt::format("{} holds no assignment's program; an assignment is rendered from ID.cpp "
+                  "(see ggrade list)",
+                  named));
+}
+
+} // namespace
+
+Size parseSize(const std::string& text) {
+  if (text.empty()) return {};
+  // Wide enough that a number which is too large stays one.
+  unsigned long long width = 0, height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%llux%llu%c", &width, &height, &rest) != 2 || width < 1 ||
+      height < 1 || width > channel::kMaxSide || height > channel::kMaxSide)
+    throw UsageError(fmt::format("--size {}: must be WIDTHxHEIGHT, such as 640x480, each 1 to {}",
+                                 text, channel::kMaxSide));
+  return {std::uint32_t(width), std::uint32_t(height)};
+}
+
+void checkTimes(const std::vector<double>& times, const std::string& option) {
+  for (double time : times)
+    if (!std::isfinite(time) || time < 0)
+      throw UsageError(fmt::format("{} {}: a time is a number of seconds from 0", option, time));
+  if (times.size() > channel::kMaxFrames)
+    throw UsageError(fmt::format("{}: {} frames are more than {}: render them in parts", option,
+                                 times.size(), channel::kMaxFrames));
+}
+
+grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {
+  const Target target = targetOf(what.target);
+  const std::string& id = target.assignment.id;
+  const bool upload = fs::is_directory(what.target);
+  const fs::path sources = upload          ? fs::path(what.target)
+                           : what.solution ? solutionFolder(id)
+                                           : target.assignment.folder;
+  const Isolation isolation = upload ? Isolation::bwrap : Isolation::none;
+  if (upload) requireSandbox();
+
+  json scene = grading::readScene(target.assignment, what.scene.empty()
+                                                         ? target.assignment.folder / "scene.json"
+                                                         : fs::path(what.scene));
+  if (what.scene.empty())
+    for (const Part& part : target.parts) scene.merge_patch(part.scene);
+  if (what.size.width) scene["size"] = {what.size.width, what.size.height};
+
+  grading::TemporaryFolder work;
+  const fs::path program = work.makeVisible("program");
+  grading::overlay(target.assignment, sources, program);
+  progress("building", 0, 2);
+  const grading::Happened built = grading::buildProgram(id, program, isolation);
+  if (!built.ok()) return {built, {}};
+  progress("rendering", 1, 2);
+  return grading::renderScene(id, program, scene, what.times, {}, isolation);
+}
+
+} // namespace ggrade::cli
