@@ -3,22 +3,16 @@
 /// What an assignment declares in its assignment.json: files, parts, TODOs, rubric items and
 /// points.
 
+#include "assignment/usage_error.hpp"
 #include "report/results.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace ggrade {
-
-/// A fault in what an instructor or author wrote, or in how the tool was called. The message names
-/// the file, the value and the remedy.
-struct UsageError : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// One place that a student fills in.
 struct Todo {

@@ -18,6 +18,10 @@
 
 namespace ggrade::trace {
 
+/// Of everything on this page: raise it with any change, so that recordings that were kept are made
+/// again.
+inline constexpr std::uint32_t kLayoutVersion = 1;
+
 inline constexpr std::uint32_t kNone = 0xffffffff; ///< no such pass, layer, ...
 
 /// Attachments are numbered: 0 to 7 colour, then depth and stencil. Bit masks use the same numbers.

@@ -64,11 +64,21 @@ Trace load(const std::filesystem::path& folder);
 /// factors, comparison functions, wrap modes, filters, framebuffer status.
 std::string glName(std::uint32_t value);
 
+/// "TRIANGLES" for GL_TRIANGLES: what a draw can be told to draw.
+std::string modeName(std::uint32_t mode);
+
 /// "color0" to "color7", "depth", "stencil".
 std::string attachmentName(std::uint32_t attachment);
 
-/// The passes as trace.json has them; docs/trace.md is the schema. `imageOf(copy)` names the
-/// picture file of a copy, or is empty when there is none.
-nlohmann::json toJson(const Trace& trace, const std::vector<std::string>& imageOfCopy);
+/// The files that were made of a copy, for trace.json; empty names where there is none.
+struct CopyFiles {
+  std::string image, raw; ///< a picture, and its values as 4-byte floats
+  std::string scale;      ///< what the picture's values mean, see picture.hpp
+  double low = 0, high = 1;
+};
+
+/// The keys `passes` and `lost` of trace.json; docs/trace.md is the schema. `files` belong to the
+/// copies of the same index; it may be shorter.
+nlohmann::json toJson(const Trace& trace, const std::vector<CopyFiles>& files = {});
 
 } // namespace ggrade::trace
