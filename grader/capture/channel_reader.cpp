@@ -1,6 +1,7 @@
 #include "capture/channel_reader.hpp"
 
-#include "capture/utf8.hpp"
+#include "capture/checker.hpp"
+#include "capture/tables_reader.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -9,7 +10,6 @@
 #include <fcntl.h>
 #include <memory>
 #include <stdexcept>
-#include <string_view>
 #include <sys/mman.h>
 #include <system_error>
 #include <unistd.h>
@@ -17,7 +17,6 @@
 namespace ggrade::channel {
 namespace {
 
-constexpr double kLongest = 1e6; // seconds: longer than any run
 constexpr std::uint64_t kMaxPixels = std::uint64_t{kMaxSide} * kMaxSide;
 
 [[noreturn]] void throwSystem(const char* what) {
@@ -47,6 +46,19 @@ void writePlan(int descriptor, const Plan& plan) {
   }
 }
 
+template <typename Require>
+void requirePossible(const trace::Request& trace, const Require& require) {
+  for (const std::uint32_t flag :
+       {trace.passes, trace.windowCopies, trace.renderbufferCopies, trace.stepCopies, trace.times})
+    require(flag <= 1, "what is recorded is 0 or 1");
+  require(trace.copies < 1U << trace::kAttachments, "copies are of attachments 0 to 9");
+  require(trace.copyFrames <= kMaxFrames, "copies are made in 64 frames at most");
+  require(trace.copyBytes <= kMaxCopyBytes, "there is room for 2 GiB of copies at most");
+  require(trace.reserved == 0, "what is reserved is 0");
+  require(trace.passes != 0 || (trace.copies == 0 && trace.copyBytes == 0 && trace.times == 0),
+          "nothing is recorded of passes without the passes");
+}
+
 Plan makePlan(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels,
               const trace::Request& trace) {
   const auto require = [](bool met, const std::string& rule) {
@@ -66,54 +78,25 @@ Plan makePlan(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels,
     const bool open = frame.width == 0 || frame.height == 0;
     pixels = std::max(pixels, open ? maxPixels : std::uint64_t{frame.width} * frame.height);
   }
+  requirePossible(trace, require);
   plan.slotBytes = 4 * pixels;
   std::copy(frames.begin(), frames.end(), plan.frames);
   plan.trace = trace;
   return plan;
 }
 
-/// Checks claims one after another; the first one that fails is the result.
-class Checker {
-public:
-  bool atMost(const std::string& field, std::uint64_t value, std::uint64_t limit) {
-    return value <= limit ||
-           fail(field, std::to_string(value) + " is above " + std::to_string(limit));
-  }
-  bool atLeast(const std::string& field, std::uint64_t value, std::uint64_t limit) {
-    return value >= limit ||
-           fail(field, std::to_string(value) + " is below " + std::to_string(limit));
-  }
-  bool seconds(const std::string& field, double value) {
-    return (std::isfinite(value) && value >= 0 && value <= kLongest) ||
-           fail(field, std::to_string(value) + " is not a time from 0 to 1000000 seconds");
-  }
-  template <std::size_t size>
-  bool text(const std::string& field, const char (&from)[size], std::string& to) {
-    const auto* const end = std::find(from, from + size, '\0');
-    if (end == from + size) return fail(field, "the text does not end");
-    to = sanitizedUtf8(std::string_view(from, static_cast<std::size_t>(end - from)));
-    return true;
-  }
-  std::string error;
-
-private:
-  bool fail(const std::string& field, const std::string& reason) {
-    error = field + ": " + reason;
-    return false;
-  }
-};
-
-std::string element(const char* list, std::uint32_t index) {
-  return std::string(list) + "[" + std::to_string(index) + "].";
-}
-
-bool checkMessage(Checker& check, const std::string& at, const Message& from, CapturedMessage& to) {
+/// `passes`: how many were recorded.
+bool checkMessage(Checker& check, const std::string& at, const Message& from, std::uint32_t passes,
+                  CapturedMessage& to) {
   to.kind = static_cast<MessageKind>(from.kind);
   to.frame = from.frame;
   to.count = from.count;
+  // Nothing says which pass where none is recorded.
+  to.pass = passes == 0 ? trace::kNone : from.pass;
   return check.atLeast(at + "kind", from.kind, static_cast<std::uint32_t>(MessageKind::glError)) &&
          check.atMost(at + "kind", from.kind, static_cast<std::uint32_t>(MessageKind::capture)) &&
          check.atMost(at + "frame", from.frame, kMaxFrames) &&
+         (to.pass == trace::kNone || check.range(at + "pass", to.pass, 1, passes)) &&
          check.text(at + "text", from.text, to.text);
 }
 
@@ -140,8 +123,17 @@ bool checkFrame(Checker& check, const std::string& at, const FrameRecord& from,
          check.atMost(at + "bytes", std::uint64_t{4} * from.width * from.height, slotBytes);
 }
 
-/// Everything but pixels. Returns what is wrong, or nothing.
-std::string check(const Header& from, const Plan& plan, Capture& to) {
+bool checkCounts(Checker& check, const trace::Counts& counts, std::uint64_t copyRoom) {
+  return check.atMost("counts.passes", counts.passes, trace::kMaxPasses) &&
+         check.atMost("counts.steps", counts.steps, trace::kMaxSteps) &&
+         check.atMost("counts.matrices", counts.matrices, trace::kMaxMatrices) &&
+         check.atMost("counts.samples", counts.samples, trace::kMaxSamples) &&
+         check.atMost("counts.copies", counts.copies, trace::kMaxCopies) &&
+         check.atMost("counts.copyBytes", counts.copyBytes, copyRoom);
+}
+
+/// Everything but pixels and tables. Returns what is wrong, or nothing.
+std::string check(const Header& from, const Plan& plan, std::uint32_t passes, Capture& to) {
   Checker check;
   to.started = from.started != 0;
   to.contextMade = from.contextMade != 0;
@@ -161,7 +153,7 @@ std::string check(const Header& from, const Plan& plan, Capture& to) {
   if (!valid) return check.error;
   to.messages.resize(from.messageCount);
   for (std::uint32_t i = 0; i < from.messageCount; ++i) {
-    if (!checkMessage(check, element("messages", i), from.messages[i], to.messages[i]))
+    if (!checkMessage(check, element("messages", i), from.messages[i], passes, to.messages[i]))
       return check.error;
   }
   to.frames.resize(from.framesDone);
@@ -194,6 +186,42 @@ void readPixels(int descriptor, std::uint64_t offset, CapturedFrame& frame) {
   }
 }
 
+template <typename Record>
+std::vector<Record> readTable(int descriptor, std::size_t offset, std::uint32_t count) {
+  std::vector<Record> records(count);
+  readAll(descriptor, records.data(), count * sizeof(Record), tablesOffset() + offset);
+  return records;
+}
+
+/// The filled rows of every table, unchecked; `counts` has been checked.
+trace::Trace readTables(int descriptor, const Header& header, const trace::Counts& counts) {
+  using namespace trace;
+  Trace trace;
+  for (std::uint32_t i = 0; i < header.framesDone; ++i) {
+    const FrameRecord& frame = header.frames[i];
+    trace.frames.push_back({frame.firstPass, frame.passCount, frame.imageBytes, frame.bufferBytes});
+  }
+  trace.passes = readTable<PassRecord>(descriptor, offsetof(Tables, passes), counts.passes);
+  trace.steps = readTable<StepRecord>(descriptor, offsetof(Tables, steps), counts.steps);
+  trace.matrices = readTable<MatrixRecord>(descriptor, offsetof(Tables, matrices), counts.matrices);
+  trace.samples = readTable<SampleRecord>(descriptor, offsetof(Tables, samples), counts.samples);
+  trace.copies = readTable<CopyRecord>(descriptor, offsetof(Tables, copies), counts.copies);
+  trace.passesLost = counts.passesLost;
+  trace.stepsLost = counts.stepsLost;
+  trace.matricesLost = counts.matricesLost;
+  trace.samplesLost = counts.samplesLost;
+  trace.copiesLost = counts.copiesLost;
+  return trace;
+}
+
+/// The bytes of the copies, whose places have been checked.
+void readCopies(int descriptor, std::uint64_t offset, trace::Trace& trace) {
+  if (trace.copies.empty()) return;
+  trace.pixels.resize(trace.copies.back().offset + trace.copies.back().bytes);
+  readAll(descriptor, trace.pixels.data(), trace.pixels.size(), offset);
+  turnCopies(trace);
+}
+
 } // namespace
 
 Channel::Channel(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels,
@@ -224,11 +252,27 @@ Channel::~Channel() {
 Capture Channel::read() const {
   const auto header = std::make_unique<Header>();
   readAll(descriptor_, header.get(), sizeof(Header), 0);
+  trace::Counts counts{};
+  if (plan_.trace.passes) {
+    readAll(descriptor_, &counts, sizeof counts, tablesOffset() + offsetof(trace::Tables, counts));
+  }
   Capture capture;
-  if (std::string error = check(*header, plan_, capture); !error.empty()) {
+  const auto refused = [&](std::string error) {
     capture = {};
     capture.error = std::move(error);
-    return capture;
+    return std::move(capture);
+  };
+  Checker checker;
+  if (!checkCounts(checker, counts, plan_.trace.copyBytes)) return refused(checker.error);
+  if (std::string error = check(*header, plan_, counts.passes, capture); !error.empty()) {
+    return refused(std::move(error));
+  }
+  if (plan_.trace.passes) {
+    capture.trace = readTables(descriptor_, *header, counts);
+    if (!checkTables(checker, capture.trace, header->framesDone, counts.copyBytes)) {
+      return refused(checker.error);
+    }
+    readCopies(descriptor_, copiesOffset(plan_), capture.trace);
   }
   for (std::uint32_t i = 0; i < capture.frames.size(); ++i) {
     if (capture.frames[i].written) {

@@ -54,7 +54,7 @@ protected:
       }
     }
     header.messageCount = 1;
-    header.messages[0] = {1, 1, 3, "GL_INVALID_ENUM in glEnable"};
+    header.messages[0] = {1, 1, 3, trace::kNone, "GL_INVALID_ENUM in glEnable"};
   }
   Channel channel_;
   ChildView child_;
@@ -191,7 +191,7 @@ TEST(Channel, CannotBeResizedByTheChild) {
   struct stat status {};
   fstat(channel.descriptor(), &status);
   EXPECT_EQ(static_cast<std::uint64_t>(status.st_size), totalBytes(channel.plan()));
-  EXPECT_EQ(totalBytes(channel.plan()) - slotOffset(channel.plan(), 0), 64U);
+  EXPECT_EQ(totalBytes(channel.plan()) - slotOffset(channel.plan(), 0), kPage);
 }
 
 TEST(Channel, LeavesRoomForSizesThatTheProgramChooses) {
