@@ -79,7 +79,7 @@ grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {
   const grading::Happened built = grading::buildProgram(id, program, isolation);
   if (!built.ok()) return {built, {}};
   progress("rendering", 1, 2);
-  return grading::renderScene(id, program, scene, what.times, {}, isolation);
+  return grading::renderScene(id, program, scene, what.times, {}, isolation, what.trace);
 }
 
 } // namespace ggrade::cli

@@ -27,7 +27,8 @@ struct RenderTarget {
   std::string scene;  ///< file; empty: the assignment's scene.json with the part's effects
   Size size;          ///< 0: the scene's
   std::vector<double> times = {0};
-  bool solution = false; ///< an ID stands for the reference
+  bool solution = false;     ///< an ID stands for the reference
+  trace::Request trace = {}; ///< what to record of the passes
 };
 
 /// Builds the target and renders its frames. A folder may be a stranger's: it is built and run in

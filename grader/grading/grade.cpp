@@ -165,6 +165,9 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
   }
 
   std::vector<Rendering> renderings(references.scenes.size());
+  const auto studentFolder = [&](std::size_t i) {
+    return work.path() / fmt::format("student-{}", i);
+  };
   {
     const Stopwatch time(result, "render");
     progress("rendering", 1, steps);
@@ -172,25 +175,31 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
     std::atomic<bool> hangs{false};
     inParallel(renderings.size(), workers(), [&](std::size_t i) {
       if (hangs) return;
-      renderings[i] = renderScene(assignment.id, program, plan.scenes[i].scene,
-                                  plan.scenes[i].times, references.shaders, Isolation::bwrap);
+      renderings[i] =
+          renderScene(assignment.id, program, plan.scenes[i].scene, plan.scenes[i].times,
+                      references.shaders, Isolation::bwrap, gradingRequest());
+      // Copies of a whole frame's passes are too much to keep in memory for every scene.
+      trace::save(renderings[i].capture.trace, studentFolder(i));
+      renderings[i].capture.trace = {};
       const Happened& happened = renderings[i].happened;
       if (i == 0 && !happened.ok() && happened.seconds >= kRunSeconds) hangs = true;
       progress("rendering", ++done, steps);
     });
     // Whether another scene had begun by then is chance: it must not count.
     if (hangs)
-      for (std::size_t i = 1; i < renderings.size(); ++i)
+      for (std::size_t i = 1; i < renderings.size(); ++i) {
         renderings[i] = {
             {renderings[0].happened.outcome, "not run: the program hung in the first scene", {}, 0},
             {}};
+        fs::remove_all(studentFolder(i));
+      }
   }
 
   std::vector<rubric::SceneFolders> folders = references.scenes;
   result.outcome = Outcome::graded;
   for (std::size_t i = 0; i < renderings.size(); ++i) {
     const Happened& happened = renderings[i].happened;
-    folders[i].student = work.path() / fmt::format("student-{}", i);
+    folders[i].student = studentFolder(i);
     rubric::writeFrames(folders[i].student, rawFrames(renderings[i].capture));
     // The first scene that didn't go well names the outcome; no frames outweighs a GL error, and a
     // fault of ours everything.

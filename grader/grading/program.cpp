@@ -192,9 +192,20 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
   return happened;
 }
 
+trace::Request gradingRequest() {
+  trace::Request request{};
+  request.passes = 1;
+  request.copies = ((1U << trace::kColors) - 1) | 1U << trace::kDepth;
+  request.windowCopies = 1;
+  request.copyFrames = 1;
+  // What doesn't fit is left out and counted; the room costs nothing until it is used.
+  request.copyBytes = std::uint64_t{512} << 20;
+  return request;
+}
+
 Rendering renderScene(const std::string& id, const fs::path& folder, const nlohmann::json& scene,
                       const std::vector<double>& times, const ShaderCache& shaders,
-                      Isolation isolation) {
+                      Isolation isolation, const trace::Request& trace) {
   TemporaryFolder work;
   const fs::path sceneFolder = work.makeVisible("scene");
   {
@@ -204,7 +215,7 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   }
   const Places at(isolation, folder, shaders.folder, sceneFolder);
   const auto size = scene.at("size").get<std::vector<std::uint32_t>>();
-  channel::Channel channel(plan(times, size.at(0), size.at(1)));
+  channel::Channel channel(plan(times, size.at(0), size.at(1)), channel::kDefaultMaxPixels, trace);
 
   sandbox::Command command;
   command.arguments = {(at.work / id).string(), "--scene", (at.scene / "scene.json").string()};
@@ -230,8 +241,8 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
 }
 
 Rendering renderProgram(const std::vector<std::string>& arguments, const std::vector<double>& times,
-                        std::uint32_t width, std::uint32_t height) {
-  channel::Channel channel(plan(times, width, height));
+                        std::uint32_t width, std::uint32_t height, const trace::Request& trace) {
+  channel::Channel channel(plan(times, width, height), channel::kDefaultMaxPixels, trace);
   sandbox::Command command;
   command.arguments = arguments;
   for (char** variable = environ; *variable; ++variable) {

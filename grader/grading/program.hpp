@@ -40,15 +40,22 @@ struct ShaderCache {
   std::filesystem::path folder;
 };
 
-/// Runs `folder`/`id` in `scene` for the given times.
+/// What is recorded of the passes of programs that are graded, and of those that they are compared
+/// with: everything, and what the first frame's passes left in textures and in the window.
+trace::Request gradingRequest();
+
+/// Runs `folder`/`id` in `scene` for the given times. What `trace` asks for of the passes stands in
+/// the capture's trace.
 Rendering renderScene(const std::string& id, const std::filesystem::path& folder,
                       const nlohmann::json& scene, const std::vector<double>& times,
-                      const ShaderCache& shaders, sandbox::Isolation isolation);
+                      const ShaderCache& shaders, sandbox::Isolation isolation,
+                      const trace::Request& trace = {});
 
 /// Runs any GLFW program, trusted (not in the sandbox), with the caller's environment. A size of 0
 /// leaves the window as the program asks.
 Rendering renderProgram(const std::vector<std::string>& arguments, const std::vector<double>& times,
-                        std::uint32_t width, std::uint32_t height);
+                        std::uint32_t width, std::uint32_t height,
+                        const trace::Request& trace = {});
 
 /// Compiler flags and settings of the renderer, the same for every build and run.
 std::string pins();

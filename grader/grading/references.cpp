@@ -100,6 +100,12 @@ std::string rendererIdentity() {
   return text;
 }
 
+/// What tells one way of recording from another.
+std::string identity(const trace::Request& trace) {
+  return fmt::format("{} {}", trace::kLayoutVersion,
+                     std::string(reinterpret_cast<const char*>(&trace), sizeof trace));
+}
+
 } // namespace
 
 unsigned workers() {
@@ -154,15 +160,18 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
     const json* scene;
     const std::vector<double>* times;
     fs::path folder;
+    trace::Request trace;
   };
+  const trace::Request everything = gradingRequest(), nothing{};
   std::vector<Job> jobs;
   References all;
   for (const SceneCase& scene : plan.scenes) {
-    const auto add = [&](const Own& own, const json& content) {
+    const auto add = [&](const Own& own, const json& content, const trace::Request& trace) {
       const fs::path folder =
-          cacheFolder() / "frames" / hashOf(own.key + content.dump() + json(scene.times).dump());
+          cacheFolder() / "frames" /
+          hashOf(own.key + content.dump() + json(scene.times).dump() + identity(trace));
       if (!fs::exists(folder / "frames.json"))
-        jobs.push_back({&own, &content, &scene.times, folder});
+        jobs.push_back({&own, &content, &scene.times, folder, trace});
       return folder;
     };
     rubric::SceneFolders folders{scene.name,
@@ -171,10 +180,11 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
                                  scene.scene,
                                  scene.times.size(),
                                  {},
-                                 add(reference, scene.scene),
-                                 add(stub, scene.scene),
+                                 add(reference, scene.scene, everything),
+                                 add(stub, scene.scene, everything),
                                  {}};
-    for (const auto& [name, probe] : scene.probes) folders.probes[name] = add(reference, probe);
+    for (const auto& [name, probe] : scene.probes)
+      folders.probes[name] = add(reference, probe, nothing);
     all.scenes.push_back(std::move(folders));
   }
 
@@ -200,9 +210,10 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   inParallel(jobs.size(), workers(), [&](std::size_t i) {
     const Job& job = jobs[i];
     const Rendering rendering = renderScene(assignment.id, job.own->folder, *job.scene, *job.times,
-                                            all.shaders, Isolation::bwrap);
+                                            all.shaders, Isolation::bwrap, job.trace);
     requireGood(rendering.happened, job.own->what);
     TemporaryFolder work(cacheFolder() / "frames");
+    if (job.trace.passes) trace::save(rendering.capture.trace, work.path());
     rubric::writeFrames(work.path(), rawFrames(rendering.capture));
     std::error_code raced;
     fs::rename(work.path(), job.folder, raced);

@@ -39,6 +39,9 @@ SceneEvidence readScene(const json& from) {
   scene.student = readImages(from.at("student"));
   scene.reference = readImages(from.at("reference"));
   scene.stub = readImages(from.at("stub"));
+  scene.studentTrace = trace::load(from.at("student").get<std::string>());
+  scene.referenceTrace = trace::load(from.at("reference").get<std::string>());
+  scene.stubTrace = trace::load(from.at("stub").get<std::string>());
   for (const auto& [name, folder] : from.at("probes").items())
     scene.probes[name] = readImages(folder);
   return scene;
