@@ -45,6 +45,9 @@ Part readPart(const json& from) {
   Part part;
   part.id = from.at("id");
   part.title = from.at("title");
+  part.weight = from.value("weight", 1.0);
+  if (!(part.weight > 0 && part.weight <= 1))
+    throw UsageError(fmt::format("{}: weight must be above 0 and at most 1", part.id));
   part.scene = from.value("scene", json::object());
   for (const json& todo : from.at("todos")) part.todos.push_back(readTodo(todo));
   for (const json& item : from.value("items", json::array())) part.items.push_back(readItem(item));
@@ -119,7 +122,11 @@ double Target::maxScore() const {
 
 std::vector<ItemDeclaration> Target::items() const {
   std::vector<ItemDeclaration> all;
-  for (const Part& part : parts) all.insert(all.end(), part.items.begin(), part.items.end());
+  for (const Part& part : parts)
+    for (ItemDeclaration item : part.items) {
+      if (parts.size() > 1) item.points *= part.weight;
+      all.push_back(std::move(item));
+    }
   return all;
 }
 

@@ -40,7 +40,8 @@ struct ItemDeclaration {
 struct Part {
   std::string id; ///< "mirror"
   std::string title;
-  nlohmann::json scene; ///< merged over scene.json when only this part is graded
+  double weight = 0;    ///< share of the whole assignment, 0 to 1
+  nlohmann::json scene; ///< merged over scene.json where this part is shown
   std::vector<Todo> todos;
   std::vector<ItemDeclaration> items;
 };
@@ -64,8 +65,10 @@ struct Target {
   std::string id;          ///< as it was named: "mirror" or "floor"
 
   double maxScore() const; ///< sum of the points of the gain items
+  /// With the points as declared, or where several parts are graded together, times the part's
+  /// weight.
   std::vector<ItemDeclaration> items() const;
-  /// Does `id` name this part's TODO or item?
+  /// Is this part graded?
   bool covers(const std::string& partId) const;
 };
 

@@ -1,6 +1,7 @@
 #include "grading/scenes.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gg/error.hpp>
 #include <gg/scene.hpp>
 
@@ -60,11 +61,20 @@ bool shareATag(const std::vector<std::string>& a, const std::vector<std::string>
   return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
-/// The part's own scene settings, one over the other.
-json partScene(const Target& target) {
-  json scene = readJson(target.assignment.folder / "scene.json");
-  for (const Part& part : target.parts) scene.merge_patch(part.scene);
+/// The assignment's scene with the settings of some parts, one over the other.
+json partScene(const Assignment& assignment, const std::vector<std::string>& ids) {
+  json scene = readJson(assignment.folder / "scene.json");
+  for (const Part& part : assignment.parts)
+    if (std::find(ids.begin(), ids.end(), part.id) != ids.end()) scene.merge_patch(part.scene);
   return scene;
+}
+
+/// The parts that a declared scene shows: those that it names, else all that are graded.
+std::vector<std::string> partsOf(const json& declared, const Target& target) {
+  if (declared.contains("parts")) return declared["parts"].get<std::vector<std::string>>();
+  std::vector<std::string> all;
+  for (const Part& part : target.parts) all.push_back(part.id);
+  return all;
 }
 
 } // namespace
@@ -96,8 +106,7 @@ json readScene(const Assignment& assignment, const fs::path& file) {
 
 json handoutScene(const Assignment& assignment, const Part& part, const json& settings,
                   std::size_t k) {
-  json scene = readJson(assignment.folder / "scene.json");
-  scene.merge_patch(part.scene);
+  json scene = partScene(assignment, {part.id});
   scene.merge_patch(settings.value("scene", json::object()));
   if (k > 0)
     scene.merge_patch(
@@ -112,23 +121,22 @@ ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder,
   try {
     ScenePlan plan;
     plan.seed = seed ? *seed : from.at("seed").get<std::uint64_t>();
-    const json base = partScene(target);
     const json probes = from.value("probes", json::array());
     std::uint64_t index = 0;
     for (const json& declared : from.at("scenes")) {
       // A generator of its own for every scene: adding one leaves the others as they were.
       Drawer drawer(plan.seed * 0x9e3779b97f4a7c15ull + ++index);
-      if (declared.contains("parts")) {
-        bool wanted = false;
-        for (const json& part : declared["parts"]) wanted |= target.covers(part);
-        if (!wanted) continue;
-      }
+      const std::vector<std::string> parts = partsOf(declared, target);
+      const auto graded = [&](const std::string& part) { return target.covers(part); };
+      if (!std::all_of(parts.begin(), parts.end(), graded)) continue;
       SceneCase one;
       one.name = declared.at("name");
+      if (target.parts.size() > 1 && declared.contains("parts"))
+        one.name = fmt::format("{}: {}", fmt::join(parts, " + "), one.name);
       one.isPublic = declared.value("public", false);
       one.tags = declared.value("tags", std::vector<std::string>{});
       one.times = drawer.draw(declared.at("times")).get<std::vector<double>>();
-      one.scene = base;
+      one.scene = partScene(target.assignment, parts);
       one.scene.merge_patch(drawer.draw(declared.value("scene", json::object())));
       for (const json& declaredProbe : probes) {
         const auto tags = declaredProbe.value("tags", std::vector<std::string>{});

@@ -27,7 +27,8 @@ struct ScenePlan {
   std::vector<SceneCase> scenes;
 };
 
-/// Draws the plan of `target` from `solutionFolder/scenes.json` and the assignment's scene.json. In
+/// Draws the plan of `target` from `solutionFolder/scenes.json` and the assignment's scene.json. A
+/// scene with `"parts"` has these parts' settings, and is drawn where all of them are graded. In
 /// scenes.json a value `{"between": [a, b]}` is drawn evenly (numbers, or arrays component by
 /// component), `{"choose": [...]}` picks one; everything else stands as it is. The same seed gives
 /// the same plan on every machine. Throws UsageError, also for a scene outside of what

@@ -4,9 +4,8 @@
 // floor, the objects or their reflections alone, in flat colours. Nothing here knows how a student
 // has drawn the reflection; only what the window shows counts.
 
-#include "rubric/rubric.hpp"
-#include "image/compare.hpp"
-#include "image/mask.hpp"
+#include "rubric_common.hpp"
+#include "rubric_passes.hpp"
 
 #include <fmt/format.h>
 
@@ -16,29 +15,14 @@
 #include <map>
 #include <set>
 
+using namespace floor_rubric;
+
 namespace {
-
-using namespace ggrade;
-using rubric::SceneEvidence;
-using rubric::Verdict;
-using rubric::View;
-
-/// Share of wrong pixels at which an item about a region has nothing left.
-constexpr double kNothingLeft = 0.4;
 
 /// Share of the densest window that may show a wrong object before nothing is left of the item.
 constexpr double kWrongObject = 0.1;
-/// Share that costs nothing: other ways to the same picture differ by that much. Measured over 12
-/// seeds: a texture of 2048 pixels differs by up to 0.1%, one of half floats by 0.9%. One of 512 is
-/// coarser than the window: up to 3.5% of the densest window show the wrong object, 2.8 points.
-constexpr double kOtherWays = 0.02;
 /// Pixels from where two objects meet within which it shows which one is in front.
 constexpr int kMeetingReach = 10;
-
-/// 1 down to 0 while the wrong share rises from kOtherWays to `nothingLeft`.
-double qualityOf(double wrongShare, double nothingLeft) {
-  return std::clamp((nothingLeft - wrongShare) / (nothingLeft - kOtherWays), 0.0, 1.0);
-}
 
 /// What a frame of a scene shows where.
 struct Regions {
@@ -50,11 +34,6 @@ struct Regions {
   Image sky;       // the floor that reflects the background but no object
   Mask covered;    // the floor's pixels where the reference shows a reflected object
 };
-
-/// Pixels that a probe with a black background shows something in.
-Mask shown(const Image& probe) {
-  return differenceMask(probe, Image(probe.width(), probe.height(), probe.channels()), 0.1f);
-}
 
 /// Pixels beside which another object is seen: edges between two flat colours, neither of them
 /// black.
@@ -120,7 +99,7 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
 
 struct Coverage {
   double quality = 0;
-  std::size_t missing = 0, extra = 0, all = 0;
+  Agreement pixels;
 };
 
 /// How well the places with reflected objects agree; an edge may move by one pixel.
@@ -130,49 +109,11 @@ const Coverage& coverage(const View& view, std::size_t frame) {
   Coverage& result = entry->second;
   if (!fresh) return result;
   const Regions& regions = regionsOf(view.scene, frame);
-  const Mask& wanted = regions.covered;
-  const Mask found =
-      reflectedObjects(regions, view.scene.probes.at("plain").at(frame), view.frames.at(frame));
-  result.missing = (wanted & ~dilate(found, 1)).count();
-  result.extra = (found & ~dilate(wanted, 1)).count();
-  result.all = std::max<std::size_t>(wanted.count(), 1);
-  result.quality =
-      qualityOf(double(result.missing + result.extra) / double(result.all), kNothingLeft);
+  result.pixels = agreement(
+      regions.covered,
+      reflectedObjects(regions, view.scene.probes.at("plain").at(frame), view.frames.at(frame)), 1);
+  result.quality = qualityOf(result.pixels.wrongShare());
   return result;
-}
-
-/// ", densest at (x,y)", or nothing when nothing is wrong.
-std::string densestAt(const Window& window) {
-  if (window.pixels == 0) return "";
-  return fmt::format(", densest at ({},{})", window.x + window.width / 2,
-                     window.y + window.height / 2);
-}
-
-/// The tolerant comparison with the reference inside `region`, as a verdict.
-Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what) {
-  CompareOptions options;
-  options.mask = &region;
-  const Comparison comparison =
-      compare(view.frames.at(frame), view.scene.reference.at(frame), options);
-  const double quality = qualityOf(comparison.wrongShare, kNothingLeft);
-  return {quality,
-          fmt::format("{}: {:.1f}% of {} pixels differ{}", what, 100 * comparison.wrongShare,
-                      comparison.judgedPixels, densestAt(comparison.densest))};
-}
-
-/// A region so small that a frame can't show the item.
-bool tooSmall(const Mask& region) {
-  return region.count() < 50;
-}
-
-/// The worst of the frames.
-template <class Judge> Verdict worstFrame(const View& view, Judge judge) {
-  Verdict worst{2, ""};
-  for (std::size_t i = 0; i < view.frames.size(); ++i) {
-    const Verdict one = judge(i);
-    if (one.quality < worst.quality) worst = one;
-  }
-  return worst;
 }
 
 GGRADE_ITEM("mirror.where", [](const View& view) {
@@ -181,8 +122,9 @@ GGRADE_ITEM("mirror.where", [](const View& view) {
     return {cover.quality,
             fmt::format("reflected objects cover {} pixels: {:.1f}% of them lack the reflection, "
                         "{:.1f}% as many again have one that must not be there",
-                        cover.all, 100.0 * double(cover.missing) / double(cover.all),
-                        100.0 * double(cover.extra) / double(cover.all))};
+                        cover.pixels.wanted,
+                        100.0 * double(cover.pixels.missing) / double(cover.pixels.wanted),
+                        100.0 * double(cover.pixels.extra) / double(cover.pixels.wanted))};
   });
 });
 
@@ -190,6 +132,54 @@ GGRADE_ITEM("mirror.shading", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) {
     return within(view, i, erode(regionsOf(view.scene, i).reflection, 1), "reflection's colours");
   });
+});
+
+/// How right a texture is that mirrored objects were drawn into, of any size, in the first frame.
+double textureQuality(const Image& found, const Image& wanted, const Image& background,
+                      std::string& message) {
+  const int width = background.width(), height = background.height();
+  const Image a = resampled(found, width, height, 3), b = resampled(wanted, width, height, 3);
+  const Mask objects = differenceMask(b, background, 2 * kTolerance);
+  const Mask region = dilate(objects | differenceMask(a, background, 2 * kTolerance), 1);
+  CompareOptions options;
+  options.mask = &region;
+  const Comparison comparison = compare(a, b, options);
+  const double share =
+      double(comparison.wrongPixels) / double(std::max<std::size_t>(objects.count(), 1));
+  message =
+      fmt::format("reflection texture of {}: {:.1f}% as many pixels as it has of objects differ{}",
+                  found.sizeText(), 100 * share, densestAt(comparison.densest));
+  return comparison.compared() ? qualityOf(share) : 0;
+}
+
+GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
+  const Image& frame = view.scene.reference.at(0);
+  const auto colour = view.scene.scene.at("background").get<std::array<float, 3>>();
+  Image background(frame.width(), frame.height(), 3);
+  for (int y = 0; y < background.height(); ++y)
+    for (int x = 0; x < background.width(); ++x)
+      for (int c = 0; c < 3; ++c) background.at(x, y, c) = colour[std::size_t(c)];
+  const auto textures = [](const trace::Trace& trace) {
+    std::vector<Image> all;
+    for (const Drawn& drawn : sampledLater(trace))
+      if (drawn.attachment < trace::kColors && drewObjects(*drawn.pass))
+        all.push_back(firstChannels(trace.image(*drawn.copy), 3));
+    return all;
+  };
+  const std::vector<Image> wanted = textures(view.scene.referenceTrace);
+  if (wanted.size() != 1) throw std::runtime_error("the reference has no reflection texture");
+  Verdict best{0, "no pass samples a texture that objects were drawn into"};
+  for (const Image& found : textures(view.trace)) {
+    std::string message;
+    const double quality = textureQuality(found, wanted[0], background, message);
+    if (quality >= best.quality) best = {quality, message};
+  }
+  if (best.quality >= 1) return best;
+  // A reflection that is made in another way is right if the floor is.
+  Verdict floor = within(view, 0, erode(regionsOf(view.scene, 0).reflection, 1), "on the floor");
+  floor.quality = std::min(floor.quality, coverage(view, 0).quality);
+  if (floor.quality <= best.quality) return best;
+  return {floor.quality, best.message + "; but the floor counts: " + floor.message};
 });
 
 using Colour = std::array<float, 3>;
@@ -324,20 +314,12 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
 GGRADE_ITEM("mirror.keep_picture", [](const View& view) -> Verdict {
   std::string where;
   const double share = spoiled(view, 0, where);
-  return {1 - std::clamp((share - 0.005) / 0.25, 0.0, 1.0), where};
+  return {unharmed(share), where};
 });
 
-GGRADE_ITEM("mirror.keep_state", [](const View& view) -> Verdict {
-  std::string where, later;
-  const double first = spoiled(view, 0, where);
-  double worst = 0;
-  for (std::size_t i = 1; i < view.frames.size(); ++i) {
-    const double share = spoiled(view, i, where);
-    if (share - first > worst)
-      worst = share - first, later = fmt::format("frame {}: {}", i + 1, where);
-  }
-  if (worst < 0.005) return {1, "later frames are as right as the first"};
-  return {1 - std::clamp((worst - 0.005) / 0.1, 0.0, 1.0), later + ", the first frame did not"};
+GGRADE_ITEM("mirror.keep_state", [](const View& view) {
+  return laterFrames(view,
+                     [&](std::size_t i, std::string& where) { return spoiled(view, i, where); });
 });
 
 /// Sums over `2 reach + 1` values along one line of `length` values that lie `step` apart.

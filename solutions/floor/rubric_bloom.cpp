@@ -1,0 +1,261 @@
+// The rubric of part "bloom". Titles and points stand in assignment.json.
+//
+// Each item looks at the pass that it is about; where a pass can't be found or is made in another
+// way, the picture in the window decides: who has that right has all of it right. A level counts as
+// right if it matches the reference's, or what the filter makes of the submission's own level
+// before it. A factor 1/levels may be applied in the bright pass (as the handout says) or at the
+// end (as the lecture does): a bright pass that is brighter by the number of levels sets the gain
+// for all.
+
+#include "rubric_common.hpp"
+#include "rubric_pyramid.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+using namespace floor_rubric;
+
+namespace {
+
+/// Formats that hold more than 0 to 1.
+bool holdsLight(std::uint32_t format) {
+  for (const char* name : {"RGBA16F", "RGB16F", "RGBA32F", "RGB32F", "R11F_G11F_B10F"})
+    if (trace::glName(format) == name) return true;
+  return false;
+}
+
+const Pyramid& referencePyramid(const View& view) {
+  static std::map<const SceneEvidence*, Pyramid> known;
+  auto [entry, fresh] = known.try_emplace(&view.scene);
+  if (fresh) entry->second = ownPyramid(view.scene.referenceTrace);
+  return entry->second;
+}
+
+const Pyramid& pyramidOf(const View& view) {
+  static std::map<const trace::Trace*, Pyramid> known;
+  auto [entry, fresh] = known.try_emplace(&view.trace);
+  if (fresh) entry->second = pyramidLike(referencePyramid(view), view.trace);
+  return entry->second;
+}
+
+/// Where bloom makes a difference in the window.
+Mask halo(const View& view, std::size_t frame) {
+  return differenceMask(view.scene.reference.at(frame), view.scene.probes.at("no bloom").at(frame),
+                        4.0f / 255);
+}
+
+/// The picture against the reference with each filter; other weights than ours are as good.
+Verdict picture(const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Mask region = halo(view, i);
+    if (tooSmall(region)) return {1, "nothing glows in this frame"};
+    CompareOptions options;
+    options.mask = &region;
+    double least = 2;
+    std::string where;
+    const auto against = [&](const Image& reference) {
+      const Comparison comparison = compare(view.frames.at(i), reference, options);
+      if (comparison.wrongShare < least)
+        least = comparison.wrongShare, where = densestAt(comparison.densest);
+    };
+    against(view.scene.reference.at(i));
+    for (const char* filter : {"5x5", "dual", "13 samples", "clamped"})
+      if (least > 0) against(view.scene.probes.at(filter).at(i));
+    return {qualityOf(least), fmt::format("{:.1f}% of the {} pixels that bloom reaches differ{}",
+                                          100 * least, region.count(), where)};
+  });
+}
+
+GGRADE_ITEM("bloom.picture", picture);
+
+/// What a pass shows, or the picture if that is better.
+Verdict passOrPicture(const View& view, double quality, const std::string& message) {
+  const Verdict whole = picture(view);
+  if (quality >= 1 || whole.quality <= quality) return {quality, message};
+  return {whole.quality, message + "; but the picture counts: " + whole.message};
+}
+
+double sceneQuality(const View& view, std::string& message) {
+  const Pyramid& found = pyramidOf(view);
+  if (found.scene.empty()) {
+    message = "scene: no pass draws the objects into a texture that a later pass samples";
+    return 0;
+  }
+  const std::string format = trace::glName(found.sceneFormat);
+  if (!holdsLight(found.sceneFormat)) {
+    message = fmt::format("scene: kept in {}, which ends at 1", format);
+    return 0;
+  }
+  const LightComparison light = compareLight(found.scene, referencePyramid(view).scene, 1);
+  message = fmt::format("scene: {}, {}", format, light.text);
+  return qualityOf(light.wrongShare);
+}
+
+GGRADE_ITEM("bloom.scene", [](const View& view) {
+  std::string message;
+  const double quality = sceneQuality(view, message);
+  return passOrPicture(view, quality, message);
+});
+
+/// The factor that the submission's light carries until the end: 1, or the number of levels.
+double gainOf(const View& view) {
+  const Pyramid& wanted = referencePyramid(view);
+  const double levels = double(wanted.levels.size());
+  const LightComparison bright =
+      compareLight(pyramidOf(view).levels.at(0).down, wanted.levels.at(0).down, 1);
+  return std::abs(bright.ratio / levels - 1) < 0.1 ? levels : 1;
+}
+
+LightComparison brightPass(const View& view) {
+  return compareLight(pyramidOf(view).levels.at(0).down, referencePyramid(view).levels.at(0).down,
+                      gainOf(view));
+}
+
+GGRADE_ITEM("bloom.bright", [](const View& view) {
+  std::string scene;
+  const bool sceneRight = sceneQuality(view, scene) > 0.5;
+  const LightComparison light = brightPass(view);
+  const double quality = qualityOf(light.wrongShare);
+  std::string message = "bright pass: " + light.text;
+  if (quality < 1)
+    message = sceneRight ? "the first wrong pass is the " + message
+                         : message + "; the first wrong pass is the scene (" + scene + ")";
+  return passOrPicture(view, quality, message);
+});
+
+/// One kind of level, from the largest to the smallest or back: the share that is right, and the
+/// first that isn't in words. `compareOne(k)` is empty for a level that has none of the kind.
+template <class CompareOne>
+Verdict levelsInOrder(const std::vector<std::size_t>& order, const char* kind,
+                      CompareOne compareOne) {
+  double sum = 0;
+  std::string wrong;
+  bool earlier = false;
+  for (const std::size_t k : order) {
+    const LightComparison light = compareOne(k);
+    const double quality = qualityOf(light.wrongShare);
+    sum += quality;
+    if (quality < 1 && wrong.empty())
+      wrong =
+          fmt::format("{} {}: {}{}", kind, k, light.text, earlier ? "; earlier levels match" : "");
+    earlier = true;
+  }
+  if (order.empty()) return {1, "there is one level only"};
+  return {sum / double(order.size()), wrong.empty() ? "all levels match" : wrong};
+}
+
+/// The better of two comparisons.
+LightComparison better(const LightComparison& a, const LightComparison& b) {
+  return a.wrongShare <= b.wrongShare ? a : b;
+}
+
+GGRADE_ITEM("bloom.levels", [](const View& view) {
+  const Pyramid& wanted = referencePyramid(view);
+  const Pyramid& found = pyramidOf(view);
+  const double gain = gainOf(view);
+  std::vector<std::size_t> order;
+  for (std::size_t k = 1; k < wanted.levels.size(); ++k) order.push_back(k);
+  Verdict verdict = levelsInOrder(order, "bloom level", [&](std::size_t k) {
+    const Level& level = wanted.levels[k];
+    const LightComparison light = compareLight(found.levels[k].down, level.down, gain);
+    const Image& before = found.levels[k - 1].down;
+    if (light.wrongShare < kOtherWays || before.empty() || findNonFinite(before)) return light;
+    float most = 0;
+    for (const float value : before.values()) most = std::max(most, value);
+    if (most <= 0) return light; // black from black proves nothing
+    return better(
+        light, compareLight(found.levels[k].down, tentDown(before, level.width, level.height), 1));
+  });
+  if (brightPass(view).wrongShare > kNothingLeft)
+    verdict.message = "after a wrong bright pass: " + verdict.message;
+  return passOrPicture(view, verdict.quality, verdict.message);
+});
+
+GGRADE_ITEM("bloom.sum", [](const View& view) {
+  const Pyramid& wanted = referencePyramid(view);
+  const Pyramid& found = pyramidOf(view);
+  const double gain = gainOf(view);
+  std::vector<std::size_t> order;
+  for (std::size_t k = wanted.levels.size() - 1; k-- > 0;) order.push_back(k);
+  const Verdict verdict = levelsInOrder(order, "the sum at level", [&](std::size_t k) {
+    const Level& level = wanted.levels[k];
+    LightComparison light = compareLight(found.levels[k].up, level.up, gain);
+    const Image &own = found.levels[k].down, &smaller = found.levels[k + 1].up;
+    if (!found.levels[k].summed) {
+      light.wrongShare = 1;
+      light.text = "nothing was added";
+      return light;
+    }
+    if (light.wrongShare < kOtherWays || findNonFinite(own) || smaller.empty() ||
+        findNonFinite(smaller))
+      return light;
+    Image sum = tentUp(smaller, own.width(), own.height());
+    float most = 0;
+    for (std::size_t i = 0; i < sum.values().size(); ++i) {
+      most = std::max(most, sum.values()[i]);
+      sum.values()[i] += own.values()[i];
+    }
+    if (most <= 0) return light;
+    return better(light, compareLight(found.levels[k].up, sum, 1));
+  });
+  return passOrPicture(view, verdict.quality, verdict.message);
+});
+
+GGRADE_ITEM("bloom.tiny", picture);
+
+/// Share of pixels that look neither like the reference nor like the scene without bloom.
+double spoiled(const View& view, std::size_t frame, std::string& where) {
+  const Image& image = view.frames.at(frame);
+  const auto& probes = view.scene.probes;
+  const bool glows = probes.count("no bloom") > 0;
+  const Mask region =
+      glows ? ~dilate(halo(view, frame), 2) : Mask(image.width(), image.height(), true);
+  CompareOptions options;
+  options.mask = &region;
+  std::vector<const Image*> allowed = {&view.scene.reference.at(frame),
+                                       &probes.at("undone").at(frame)};
+  if (glows) allowed.push_back(&probes.at("no bloom").at(frame));
+  Mask wrong = region;
+  for (const Image* other : allowed)
+    if (const Comparison comparison = compare(image, *other, options); comparison.compared())
+      wrong = wrong & comparison.wrong;
+  const double share = double(wrong.count()) / double(std::max<std::size_t>(region.count(), 1));
+  where = fmt::format("{:.1f}% of the pixels that bloom doesn't reach differ{}", 100 * share,
+                      densestAt(densestWindow(wrong)));
+  return share;
+}
+
+GGRADE_ITEM("bloom.keep_picture", [](const View& view) -> Verdict {
+  std::string where;
+  const double share = spoiled(view, 0, where);
+  return {unharmed(share), where};
+});
+
+GGRADE_ITEM("bloom.keep_state", [](const View& view) {
+  return laterFrames(view,
+                     [&](std::size_t i, std::string& where) { return spoiled(view, i, where); });
+});
+
+GGRADE_ITEM("bloom.keep_together", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    double least = 2;
+    std::string where;
+    const auto against = [&](const Image& reference) {
+      const Comparison comparison = compare(view.frames.at(i), reference);
+      if (comparison.wrongShare < least)
+        least = comparison.wrongShare, where = densestAt(comparison.densest);
+    };
+    against(view.scene.reference.at(i));
+    for (const auto& [name, images] : view.scene.probes) against(images.at(i));
+    return {unharmed(least),
+            fmt::format("{:.1f}% of the pixels differ from every combination of effects{}",
+                        100 * least, where)};
+  });
+});
+
+} // namespace

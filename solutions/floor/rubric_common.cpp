@@ -1,0 +1,43 @@
+#include "rubric_common.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace floor_rubric {
+
+double qualityOf(double wrongShare, double nothingLeft) {
+  return std::clamp((nothingLeft - wrongShare) / (nothingLeft - kOtherWays), 0.0, 1.0);
+}
+
+Mask shown(const Image& probe) {
+  return differenceMask(probe, Image(probe.width(), probe.height(), probe.channels()), 0.1f);
+}
+
+Agreement agreement(const Mask& wanted, const Mask& found, int reach) {
+  return {(wanted & ~dilate(found, reach)).count(), (found & ~dilate(wanted, reach)).count(),
+          std::max<std::size_t>(wanted.count(), 1)};
+}
+
+std::string densestAt(const Window& window) {
+  if (window.pixels == 0) return "";
+  return fmt::format(", densest at ({},{})", window.x + window.width / 2,
+                     window.y + window.height / 2);
+}
+
+Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what) {
+  CompareOptions options;
+  options.mask = &region;
+  const Comparison comparison =
+      compare(view.frames.at(frame), view.scene.reference.at(frame), options);
+  const double quality = qualityOf(comparison.wrongShare, kNothingLeft);
+  return {quality,
+          fmt::format("{}: {:.1f}% of {} pixels differ{}", what, 100 * comparison.wrongShare,
+                      comparison.judgedPixels, densestAt(comparison.densest))};
+}
+
+bool tooSmall(const Mask& region) {
+  return region.count() < 50;
+}
+
+} // namespace floor_rubric

@@ -1,0 +1,43 @@
+#pragma once
+// The pyramid of a bloom: its levels as found among the passes, and its filter in double precision.
+
+#include "rubric_passes.hpp"
+
+#include <string>
+#include <vector>
+
+namespace floor_rubric {
+
+/// One level: what was drawn at its size first (on the way down) and last (on the way up).
+struct Level {
+  int width = 0, height = 0;
+  Image down, up;      ///< RGB; empty if nothing was drawn at this size
+  bool summed = false; ///< drawn more than once
+};
+
+struct Pyramid {
+  Image scene; ///< RGB; empty if no pass draws objects into a texture that is sampled
+  std::uint32_t sceneFormat = 0; ///< internal format
+  std::vector<Level> levels;     ///< largest first
+};
+
+/// The reference's pyramid: every texture smaller than the window that a full-screen pass drew.
+Pyramid ownPyramid(const trace::Trace& trace);
+/// A submission's, at the sizes of the reference's levels, to one pixel.
+Pyramid pyramidLike(const Pyramid& reference, const trace::Trace& trace);
+
+/// The area-weighted tent with mirrored edges: `image` at a smaller or larger size.
+Image tentDown(const Image& image, int width, int height);
+Image tentUp(const Image& image, int width, int height);
+
+/// How a picture of light compares with another, any size, after division by `gain`.
+struct LightComparison {
+  double wrongShare = 1;
+  double ratio = 0;     ///< median of found / wanted where there is light
+  bool uniform = false; ///< nearly the same ratio everywhere
+  /// "2.1x too bright everywhere", "31% of the pixels differ, densest at (212,340)", "matches".
+  std::string text;
+};
+LightComparison compareLight(const Image& found, const Image& wanted, double gain);
+
+} // namespace floor_rubric

@@ -1,0 +1,371 @@
+// The rubric of part "shadow". Titles and points stand in assignment.json.
+//
+// How much light a pixel of the window gets is measured between two renderings of the reference:
+// "unlit" (0) and "unshadowed" (1). So shadows are found whatever their colour. The shadow map is
+// judged through a matrix of the submission's own.
+
+#include "rubric_common.hpp"
+#include "rubric_passes.hpp"
+
+#include <fmt/format.h>
+#include <glm/matrix.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+using namespace floor_rubric;
+
+namespace {
+
+/// Pixels that the edge of a shadow may move: maps of other sizes and other biases do.
+constexpr int kEdge = 2;
+/// Least difference that light makes for a pixel to be told apart from one in shadow.
+constexpr float kLeastLight = 10.0f / 255;
+
+const Image& probe(const View& view, const char* name, std::size_t frame) {
+  return view.scene.probes.at(name).at(frame);
+}
+
+/// How much of the light reaches each pixel: 0 in shadow, 1 lit; measured only where `measurable`.
+Image visibility(const Image& image, const Image& unlit, const Image& unshadowed) {
+  Image out(image.width(), image.height(), 1);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      float along = 0, length = 1e-9f;
+      for (int c = 0; c < 3; ++c) {
+        const float light = unshadowed.at(x, y, c) - unlit.at(x, y, c);
+        along += (image.at(x, y, c) - unlit.at(x, y, c)) * light;
+        length += light * light;
+      }
+      out.at(x, y) = along / length;
+    }
+  return out;
+}
+
+Mask below(const Image& image, float value) {
+  Mask mask(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) mask.set(x, y, image.at(x, y) < value);
+  return mask;
+}
+
+/// What a frame of a scene shows where, in the reference.
+struct Regions {
+  Mask floor, objects; // where light makes a difference, one pixel away from objects' outlines
+  Mask shadow;         // of both
+};
+
+const Regions& regionsOf(const View& view, std::size_t frame) {
+  static std::map<std::pair<const SceneEvidence*, std::size_t>, Regions> known;
+  auto [entry, fresh] = known.try_emplace({&view.scene, frame});
+  Regions& regions = entry->second;
+  if (fresh) {
+    const Image& unlit = probe(view, "unlit", frame);
+    const Image& unshadowed = probe(view, "unshadowed", frame);
+    const Mask measurable = differenceMask(unlit, unshadowed, kLeastLight);
+    const Mask objects = shown(probe(view, "objects", frame));
+    regions.objects = erode(objects, 1) & measurable;
+    regions.floor = shown(probe(view, "floor", frame)) & ~dilate(objects, 1) & measurable;
+    regions.shadow = below(visibility(view.scene.reference.at(frame), unlit, unshadowed), 0.5f) &
+                     (regions.objects | regions.floor);
+  }
+  return regions;
+}
+
+/// Pixels in shadow in one of the view's frames.
+Mask shadowIn(const View& view, std::size_t frame) {
+  return below(visibility(view.frames.at(frame), probe(view, "unlit", frame),
+                          probe(view, "unshadowed", frame)),
+               0.5f);
+}
+
+Verdict shadowsAgree(const View& view, std::size_t frame, const Mask& region, const char* what) {
+  const Regions& regions = regionsOf(view, frame);
+  const Mask wanted = regions.shadow & region;
+  if (tooSmall(wanted)) return {1, "nothing to see in this frame"};
+  const Mask found = shadowIn(view, frame) & region;
+  const Agreement pixels = agreement(wanted, found, kEdge);
+  const Mask wrong = (wanted & ~dilate(found, kEdge)) | (found & ~dilate(wanted, kEdge));
+  return {
+      qualityOf(pixels.wrongShare()),
+      fmt::format("{} pixels of the {} must be in shadow: {:.1f}% of them are lit, {:.1f}% as many "
+                  "again are in a shadow that must not be there{}",
+                  pixels.wanted, what, 100.0 * double(pixels.missing) / double(pixels.wanted),
+                  100.0 * double(pixels.extra) / double(pixels.wanted),
+                  densestAt(densestWindow(wrong)))};
+}
+
+Verdict floorShadows(const View& view) {
+  return worstFrame(view, [&](std::size_t i) {
+    return shadowsAgree(view, i, regionsOf(view, i).floor, "floor");
+  });
+}
+
+GGRADE_ITEM("shadow.floor", floorShadows);
+
+GGRADE_ITEM("shadow.objects", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) {
+    return shadowsAgree(view, i, regionsOf(view, i).objects, "objects");
+  });
+});
+
+/// Points on the objects that the light sees, and points behind which nothing hides, in world
+/// space.
+struct LightPoints {
+  std::vector<glm::dvec4> surface, nothing;
+};
+
+/// From the reference's own map. Its shaders' names are ours to know.
+const LightPoints& lightPoints(const View& view) {
+  static std::map<const SceneEvidence*, LightPoints> known;
+  auto [entry, fresh] = known.try_emplace(&view.scene);
+  LightPoints& points = entry->second;
+  if (!fresh) return points;
+  const trace::Trace& trace = view.scene.referenceTrace;
+  for (const Drawn& drawn : sampledLater(trace)) {
+    if (drawn.attachment != trace::kDepth || !drewObjects(*drawn.pass)) continue;
+    glm::dmat4 projection(1), lightView(1);
+    for (const trace::MatrixRecord& record : trace.matricesOf(trace.stepsOf(*drawn.pass)[0])) {
+      const std::string name = record.name;
+      glm::dmat4* to = name == "uProjection" ? &projection : name == "uView" ? &lightView : nullptr;
+      if (to)
+        for (int i = 0; i < 16; ++i) (*to)[i / 4][i % 4] = double(record.values[i]);
+    }
+    const glm::dmat4 worldFromClip = glm::inverse(projection * lightView);
+    const Image map = trace.image(*drawn.copy);
+    const int step = std::max(1, map.width() / 64);
+    for (int y = step / 2; y < map.height(); y += step)
+      for (int x = step / 2; x < map.width(); x += step) {
+        const double depth = map.at(x, y);
+        const glm::dvec4 clip(2 * (x + 0.5) / map.width() - 1, 1 - 2 * (y + 0.5) / map.height(),
+                              2 * depth - 1, 1);
+        const glm::dvec4 world = worldFromClip * clip;
+        (depth < 1 ? points.surface : points.nothing).push_back(world / world.w);
+      }
+    break;
+  }
+  return points;
+}
+
+/// Share of the light's points that a map agrees with when it is read through `mapFromWorld`, whose
+/// result is -1 to 1 or, with `unit`, 0 to 1 already.
+double agreementThrough(const Image& map, float background, float range,
+                        const glm::dmat4& mapFromWorld, bool unit, const LightPoints& points) {
+  std::size_t right = 0, all = 0;
+  const auto look = [&](const glm::dvec4& world, bool surface) {
+    const glm::dvec4 clip = mapFromWorld * world;
+    if (!(clip.w > 0)) {
+      all += surface ? 1 : 0;
+      return;
+    }
+    glm::dvec3 at = glm::dvec3(clip) / clip.w;
+    if (!unit) at = at * 0.5 + 0.5;
+    const double px = at.x * map.width(), py = (1 - at.y) * map.height();
+    if (!(px >= 0 && py >= 0 && px < map.width() && py < map.height())) {
+      all += surface ? 1 : 0; // what a map doesn't show it can't hide; objects it must show
+      return;
+    }
+    ++all;
+    // Texels lie elsewhere in a map of another size: the neighbours' range counts.
+    float low = 2, high = -1;
+    bool empty = false;
+    for (int y = std::max(0, int(py) - 1); y <= std::min(map.height() - 1, int(py) + 1); ++y)
+      for (int x = std::max(0, int(px) - 1); x <= std::min(map.width() - 1, int(px) + 1); ++x) {
+        const float depth = map.at(x, y);
+        low = std::min(low, depth);
+        high = std::max(high, depth);
+        empty |= depth == background;
+      }
+    const double slack = 0.03 * double(range);
+    right += surface ? at.z >= double(low) - slack && at.z <= double(high) + slack : empty;
+  };
+  for (const glm::dvec4& world : points.surface) look(world, true);
+  const double surface = double(right) / double(std::max<std::size_t>(points.surface.size(), 1));
+  right = all = 0;
+  for (const glm::dvec4& world : points.nothing) look(world, false);
+  const double nothing = all ? double(right) / double(all) : 1;
+  return std::min(surface, nothing);
+}
+
+struct MapVerdict {
+  double share = 0;
+  bool found = false;     ///< a depth map that a later pass samples
+  bool depthOnly = false; ///< its pass drew no colours
+  std::uint32_t size = 0;
+};
+
+/// The best depth map of the view, through the best of its matrices.
+MapVerdict bestMap(const View& view) {
+  const LightPoints& points = lightPoints(view);
+  MapVerdict best;
+  for (const Drawn& drawn : sampledLater(view.trace)) {
+    if (drawn.attachment != trace::kDepth || !drewObjects(*drawn.pass)) continue;
+    best.found = true;
+    const Image map = view.trace.image(*drawn.copy);
+    const float background =
+        drawn.pass->cleared & (1u << trace::kDepth) ? drawn.pass->clearDepth : 1.0f;
+    float low = 2, high = -1;
+    for (const float depth : map.values())
+      if (depth != background) low = std::min(low, depth), high = std::max(high, depth);
+    if (low > high) continue; // nothing was drawn
+    std::vector<glm::dmat4> matrices;
+    for (const trace::StepRecord& step : view.trace.stepsOf(*drawn.pass))
+      for (const glm::dmat4& matrix : matricesOf(view.trace, step)) matrices.push_back(matrix);
+    for (const glm::dmat4& matrix : matricesOf(view.trace, *drawn.readingStep))
+      matrices.push_back(matrix);
+    double share = 0;
+    for (const glm::dmat4& matrix : matricesAndProducts(matrices))
+      for (const bool unit : {false, true})
+        share = std::max(share, agreementThrough(map, background, std::max(high - low, 1e-6f),
+                                                 matrix, unit, points));
+    bool colors = false;
+    for (std::uint32_t a = 0; a < trace::kColors; ++a)
+      colors |= drawn.pass->images[a].kind != std::uint32_t(trace::ImageKind::none);
+    if (share >= best.share) {
+      best.share = share;
+      best.depthOnly = !colors;
+      best.size = drawn.copy->width;
+    }
+  }
+  return best;
+}
+
+GGRADE_ITEM("shadow.map", [](const View& view) -> Verdict {
+  if (lightPoints(view).surface.size() < 50)
+    throw std::runtime_error("the reference's shadow map shows no objects");
+  const MapVerdict map = bestMap(view);
+  const double quality = std::clamp((map.share - 0.55) / 0.35, 0.0, 1.0);
+  const Verdict shadow = floorShadows(view);
+  if (shadow.quality >= quality && quality < 1)
+    return {shadow.quality,
+            map.found
+                ? "no matrix of the submission fits its shadow map; judged by the floor: " +
+                      shadow.message
+                : "no pass samples a depth texture that objects were drawn into; judged by the "
+                  "floor: " +
+                      shadow.message};
+  return {quality,
+          fmt::format("the map of {0}x{0} agrees with the objects at {1:.0f}% of the points "
+                      "that the light sees",
+                      map.size, 100 * map.share)};
+});
+
+GGRADE_ITEM("shadow.depth_only", [](const View& view) -> Verdict {
+  const double right = floorShadows(view).quality;
+  const MapVerdict map = bestMap(view);
+  if (!map.found) return {0, "no pass samples a depth texture that objects were drawn into"};
+  if (!map.depthOnly) return {0, "the map's framebuffer object has a colour attachment, too"};
+  if (right < 0.5) return {0, "depths only; it counts once the floor's shadows are right"};
+  return {1, "depths only"};
+});
+
+GGRADE_ITEM("shadow.ambient", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Regions& regions = regionsOf(view, i);
+    const Mask both = erode(regions.shadow & shadowIn(view, i), 1);
+    if (tooSmall(both)) return {0, "the submission and the reference share no shadow"};
+    Verdict verdict = within(view, i, both, "colours in the shadow");
+    verdict.quality *= shadowsAgree(view, i, regions.floor, "floor").quality;
+    return verdict;
+  });
+});
+
+GGRADE_ITEM("shadow.outside", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Regions& regions = regionsOf(view, i);
+    const Mask wanted = regions.shadow & regions.floor;
+    const Mask found = shadowIn(view, i) & regions.floor;
+    const Mask wrong = found & ~dilate(wanted, kEdge);
+    const std::size_t lit = std::max<std::size_t>((regions.floor & ~wanted).count(), 1);
+    const double share = double(wrong.count()) / double(lit);
+    const Agreement pixels = agreement(wanted, found, kEdge);
+    // Lit everywhere is not lit rightly.
+    const double there = 1 - double(pixels.missing) / double(pixels.wanted);
+    return {qualityOf(share, 0.15) * std::clamp((there - 0.5) / 0.4, 0.0, 1.0),
+            fmt::format("{:.1f}% of the floor that must be lit lies in shadow{}", 100 * share,
+                        densestAt(densestWindow(wrong)))};
+  });
+});
+
+/// Share of the pixels that no amount of light explains: neither lit, nor in shadow, nor between.
+double spoiled(const View& view, std::size_t frame, std::string& where) {
+  const Image& image = view.frames.at(frame);
+  const Image& unlit = probe(view, "unlit", frame);
+  const Image& unshadowed = probe(view, "unshadowed", frame);
+  const Regions& regions = regionsOf(view, frame);
+  // The colour of a shadow is another item's.
+  const Mask region =
+      ~dilate(regions.shadow | (shadowIn(view, frame) & (regions.floor | regions.objects)), kEdge);
+  CompareOptions options;
+  options.mask = &region;
+  Mask wrong = region;
+  for (const Image* other : {&view.scene.reference.at(frame), &unlit, &unshadowed})
+    if (const Comparison comparison = compare(image, *other, options); comparison.compared())
+      wrong = wrong & comparison.wrong;
+  const Image amount = visibility(image, unlit, unshadowed);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      if (!wrong.at(x, y)) continue;
+      const float v = std::clamp(amount.at(x, y), 0.0f, 1.0f);
+      bool between = true;
+      for (int c = 0; c < 3; ++c) {
+        const float light = unlit.at(x, y, c) + v * (unshadowed.at(x, y, c) - unlit.at(x, y, c));
+        between &= std::abs(image.at(x, y, c) - light) <= 2 * kTolerance;
+      }
+      if (between) wrong.set(x, y, false);
+    }
+  const double share = double(wrong.count()) / double(std::max<std::size_t>(region.count(), 1));
+  where = fmt::format("{:.1f}% of the pixels away from shadows differ{}", 100 * share,
+                      densestAt(densestWindow(wrong)));
+  return share;
+}
+
+GGRADE_ITEM("shadow.keep_picture", [](const View& view) -> Verdict {
+  std::string where;
+  const double share = spoiled(view, 0, where);
+  return {unharmed(share), where};
+});
+
+GGRADE_ITEM("shadow.keep_state", [](const View& view) {
+  return laterFrames(view,
+                     [&](std::size_t i, std::string& where) { return spoiled(view, i, where); });
+});
+
+double rms(const Image& a, const Image& b, const Mask& region) {
+  double sum = 0;
+  std::size_t count = 1;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x)
+      if (region.at(x, y)) {
+        const double d =
+            std::clamp(double(a.at(x, y)), 0.0, 1.0) - std::clamp(double(b.at(x, y)), 0.0, 1.0);
+        sum += d * d;
+        ++count;
+      }
+  return std::sqrt(sum / double(count));
+}
+
+GGRADE_ITEM("shadow.pcf", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Image& unlit = probe(view, "unlit", i);
+    const Image& unshadowed = probe(view, "unshadowed", i);
+    const Image wanted = visibility(view.scene.reference.at(i), unlit, unshadowed);
+    const Mask region = dilate(regionsOf(view, i).shadow, 8) & regionsOf(view, i).floor;
+    const double hard = rms(visibility(probe(view, "hard", i), unlit, unshadowed), wanted, region);
+    const double found = rms(visibility(view.frames.at(i), unlit, unshadowed), wanted, region);
+    return {
+        std::clamp((1 - found / hard) / 0.7, 0.0, 1.0),
+        fmt::format("the soft edge is off by {:.3f} (RMS of the light); a hard one is by {:.3f}",
+                    found, hard)};
+  });
+});
+
+GGRADE_ITEM("shadow.bias", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) {
+    return shadowsAgree(view, i, regionsOf(view, i).floor | regionsOf(view, i).objects,
+                        "floor and the objects");
+  });
+});
+
+} // namespace
