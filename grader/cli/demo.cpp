@@ -29,9 +29,12 @@ struct Example {
 
 std::vector<Example> examples(const Assignment& assignment, const fs::path& solutions) {
   std::vector<Example> all;
-  for (const Part& part : assignment.parts) {
-    all.push_back({part.id + "-reference", part.id, "graded", {}, solutions, true});
-    all.push_back({part.id + "-stub", part.id, "graded", {}, assignment.folder, false});
+  std::vector<std::string> targets;
+  for (const Part& part : assignment.parts) targets.push_back(part.id);
+  if (targets.size() > 1) targets.push_back(assignment.id);
+  for (const std::string& target : targets) {
+    all.push_back({target + "-reference", target, "graded", {}, solutions, true});
+    all.push_back({target + "-stub", target, "graded", {}, assignment.folder, false});
   }
   std::vector<fs::path> patches;
   std::error_code none;
