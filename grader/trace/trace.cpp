@@ -52,12 +52,14 @@ const CopyRecord* Trace::copyOf(std::uint32_t pass, std::uint32_t attachment,
   return nullptr;
 }
 
+std::vector<std::byte> Trace::bytesOf(const CopyRecord& copy) const {
+  if (pixels.empty()) return readPart(pixelFile, copy.offset, copy.bytes);
+  const auto stored = std::span(pixels).subspan(copy.offset, copy.bytes);
+  return {stored.begin(), stored.end()};
+}
+
 Image Trace::image(const CopyRecord& copy) const {
-  const auto type = static_cast<PixelType>(copy.type);
-  if (!pixels.empty())
-    return decodePixels(std::span(pixels).subspan(copy.offset, copy.bytes), type, copy.width,
-                        copy.height);
-  return decodePixels(readPart(pixelFile, copy.offset, copy.bytes), type, copy.width, copy.height);
+  return decodePixels(bytesOf(copy), static_cast<PixelType>(copy.type), copy.width, copy.height);
 }
 
 } // namespace ggrade::trace

@@ -47,6 +47,8 @@ struct Trace {
   /// Its pixels, row 0 on top: 4 channels (colour, integers as whole numbers) or 1 (depth 0 to 1,
   /// stencil 0 to 255). Throws UsageError when the file of copies can't be read.
   Image image(const CopyRecord& copy) const;
+  /// The same as stored, row 0 on top: copy.bytes bytes of copy.type. Throws like `image`.
+  std::vector<std::byte> bytesOf(const CopyRecord& copy) const;
 
   /// Bytes of all copies: in memory, or in this file when `pixels` is empty.
   std::vector<std::byte> pixels;
