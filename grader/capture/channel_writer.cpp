@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
+#include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -20,9 +21,22 @@ using channel::Header;
 using channel::Message;
 using channel::Plan;
 
+thread_local std::uint32_t messagePass = trace::kNone;
+
 [[noreturn]] void refuse(const char* reason) {
   std::fprintf(stderr, "ggrade capture: %s: %s\n", channel::kDescriptorVariable, reason);
   _exit(channel::kRefusedExit);
+}
+
+const char* faultOf(const trace::Request& request) {
+  for (const std::uint32_t flag : {request.passes, request.windowCopies, request.renderbufferCopies,
+                                   request.stepCopies, request.times}) {
+    if (flag > 1) return "a switch of what to record is neither 0 nor 1";
+  }
+  if (request.copies >> trace::kAttachments != 0) return "attachments to copy out of range";
+  if (request.copyFrames > channel::kMaxFrames) return "frames to copy out of range";
+  if (request.copyBytes > channel::kMaxCopyBytes) return "room for copies out of range";
+  return nullptr;
 }
 
 /// The plan is copied first: what is checked is what is used.
@@ -39,7 +53,7 @@ const char* faultOf(const Plan& plan) {
     if (frame.width > channel::kMaxSide || frame.height > channel::kMaxSide)
       return "frame size out of range";
   }
-  return nullptr;
+  return faultOf(plan.trace);
 }
 
 class Writer {
@@ -49,6 +63,11 @@ public:
   }
 
   const Plan* plan() const { return header_ ? &plan_ : nullptr; }
+
+  /// A place in the file.
+  template <typename Value> Value* at(std::uint64_t offset) const {
+    return reinterpret_cast<Value*>(reinterpret_cast<std::byte*>(header_) + offset);
+  }
 
   void message(channel::MessageKind kind, std::string_view text) {
     const std::lock_guard lock(mutex_);
@@ -74,6 +93,7 @@ public:
     message.kind = number;
     message.frame = frames_;
     message.count = 1;
+    message.pass = messagePass;
     std::memcpy(message.text, stored, sizeof(stored));
     header_->messageCount = ++messages_;
   }
@@ -101,8 +121,7 @@ public:
     const std::uint64_t bytes = std::uint64_t{4} * record.width * record.height;
     stored.written = bytes <= plan_.slotBytes;
     if (stored.written) {
-      auto* const file = reinterpret_cast<std::uint8_t*>(header_);
-      std::memcpy(file + channel::slotOffset(plan_, frames_), pixels, bytes);
+      std::memcpy(at<std::uint8_t>(channel::slotOffset(plan_, frames_)), pixels, bytes);
     }
     header_->frames[frames_] = stored;
     header_->framesDone = ++frames_;
@@ -160,12 +179,27 @@ Writer& writer() {
 /// The plan is checked and `started` set before `main`, whether or not the program calls anything.
 [[gnu::constructor]] void openChannel() {
   writer();
+  recordsPasses = plan() && plan()->trace.passes;
 }
 
 } // namespace
 
+bool recordsPasses = false;
+
 const Plan* plan() {
   return writer().plan();
+}
+
+trace::Tables* recordTables() {
+  return recordsPasses ? writer().at<trace::Tables>(channel::tablesOffset()) : nullptr;
+}
+
+std::byte* recordCopies() {
+  return recordsPasses ? writer().at<std::byte>(channel::copiesOffset(*plan())) : nullptr;
+}
+
+void setMessagePass(std::uint32_t pass) {
+  messagePass = pass;
 }
 
 void writeMessage(channel::MessageKind kind, std::string_view text) {

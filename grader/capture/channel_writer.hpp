@@ -5,6 +5,7 @@
 
 #include "capture/channel.hpp"
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -12,6 +13,17 @@ namespace ggrade::capture {
 
 /// The judging side's plan, or null without a channel.
 const channel::Plan* plan();
+
+/// Whether passes are to be recorded. Set before `main`, and constant from then on.
+extern bool recordsPasses;
+
+/// The tables of the passes and the room for copies, of `plan()->trace.copyBytes` bytes. Null
+/// unless `recordsPasses`.
+trace::Tables* recordTables();
+std::byte* recordCopies();
+
+/// Messages of this thread come from this pass from now on; kNone: from none.
+void setMessagePass(std::uint32_t pass);
 
 /// Stores a message, or counts it when the same text came before. Any thread.
 void writeMessage(channel::MessageKind kind, std::string_view text);

@@ -2,14 +2,21 @@
 /// \file
 /// What the library keeps for each context beside GL's own state.
 
+#include "capture/size.hpp"
+
 #include <GL/gl.h>
 #include <GL/glext.h>
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 
 namespace ggrade::capture {
+
+namespace recorder {
+struct Context;
+}
 
 /// Debug output as the program sees it; behind its back it is always on (hooks_debug.cpp).
 struct DebugState {
@@ -33,7 +40,7 @@ struct ErrorState {
   bool named = false;        ///< a debug message has told of the error that GL now holds
 };
 
-/// What reached the window since the last swap (hooks_window_use.cpp).
+/// What reached the window since the last swap (hooks_draws.cpp).
 struct WindowUse {
   std::uint32_t draws = 0;
   std::uint32_t clears = 0;
@@ -44,6 +51,10 @@ struct ContextState {
   DebugState debug;
   ErrorState errors;
   WindowUse use;
+  Size windowSize;              ///< of the window's framebuffer
+  std::uint32_t shareGroup = 0; ///< equal for contexts that share objects
+  bool quiet = false;           ///< the library itself calls GL: messages are nobody's business
+  std::shared_ptr<recorder::Context> recorder; ///< null until something is recorded
 };
 
 /// The calling thread's current context, or null.

@@ -12,7 +12,7 @@ Table makeTable() {
   Table table;
   for (const std::span<const Hook> hooks :
        {glxHooks(), debugHooks(), errorHooks(), queryHooks(), windowBufferHooks(),
-        shaderTimeHooks(), windowUseHooks()}) {
+        shaderTimeHooks(), imageHooks(), drawHooks()}) {
     for (const Hook& hook : hooks) {
       const auto earlier = table.find(hook.name);
       if (hook.setNext) {

@@ -36,11 +36,12 @@ struct Hook {
 GlFunction hookedGlFunction(const char* name);
 
 std::span<const Hook> debugHooks();
+std::span<const Hook> drawHooks();
 std::span<const Hook> errorHooks();
 std::span<const Hook> glxHooks();
+std::span<const Hook> imageHooks();
 std::span<const Hook> queryHooks();
 std::span<const Hook> shaderTimeHooks();
 std::span<const Hook> windowBufferHooks();
-std::span<const Hook> windowUseHooks();
 
 } // namespace ggrade::capture

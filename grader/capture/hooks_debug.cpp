@@ -18,6 +18,7 @@ thread_local ContextState* current = nullptr;
 void APIENTRY receive(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                       const GLchar* text, const void* user) {
   auto& state = *static_cast<ContextState*>(const_cast<void*>(user));
+  if (state.quiet) return;
   const bool ofProgram =
       source == GL_DEBUG_SOURCE_APPLICATION || source == GL_DEBUG_SOURCE_THIRD_PARTY;
   if (source == GL_DEBUG_SOURCE_API && type == GL_DEBUG_TYPE_ERROR) {

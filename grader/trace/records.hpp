@@ -4,10 +4,11 @@
 /// step used, and copies of what the passes drew.
 ///
 /// A **pass** is a run of draws and clears into the same images. It ends when the attachments
-/// (image, level, layer) or draw buffers change, at a clear after draws, at a blit, copy, mipmap
-/// generation or image store that touches them, and at a swap; blits, copies and mipmap generations
-/// are passes of their own. Within a pass, a **step** is a run of draws with equal program and
-/// equal depth, stencil, blend, cull and mask state.
+/// (image, level, layer) or draw buffers change, at a clear after draws, at any blit, copy, mipmap
+/// generation or compute shader, when one of its images is uploaded to or deleted, when its context
+/// is no more current, and at a swap; blits, copies, mipmap generations and compute shaders are
+/// passes of their own. Within a pass, a **step** is a run of draws with equal program, equal
+/// sampled textures and settings of these, and equal state: all that StepRecord has but `mode`.
 ///
 /// Plain data of fixed size: the records travel through shared memory, are checked by
 /// channel_reader, and are used as they are afterwards. Names such as `format` hold OpenGL's own

@@ -1,5 +1,6 @@
 #include "capture/channel_writer.hpp"
 #include "capture/glfw/library.hpp"
+#include "capture/recorder/recorder.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -37,6 +38,7 @@ channel::FrameRecord describeFrame(const GLFWwindow& window, bool reachable) {
 /// `reachable`: the window's context is current to this thread.
 void handOver(GLFWwindow& window, bool reachable) {
   channel::FrameRecord record = describeFrame(window, reachable);
+  if (recordsPasses) recorder::swap(record, reachable);
   if (reachable) {
     collectError(window.state);
     window.context->finish();
@@ -75,6 +77,7 @@ GLFWwindow* currentWindow() {
 }
 
 bool makeCurrent(GLFWwindow* window) {
+  if (recordsPasses) recorder::leave();
   if (current) current->isCurrent = false;
   current = nullptr;
   setCurrentState(nullptr);
@@ -86,6 +89,7 @@ bool makeCurrent(GLFWwindow* window) {
   current = window;
   current->isCurrent = true;
   setCurrentState(&window->state);
+  window->state.windowSize = window->context->size();
   return true;
 }
 
@@ -122,6 +126,8 @@ void glfwSwapBuffers(GLFWwindow* window) {
   if (!library().captured) library().captured = window;
   if (window == library().captured) {
     withContext(*window, [&](bool reachable) { handOver(*window, reachable); });
+  } else if (recordsPasses && window == current) {
+    recorder::leave();
   }
   window->state.use = {};
   deliverEvents(window);

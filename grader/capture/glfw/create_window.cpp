@@ -114,6 +114,8 @@ bool createContext(GLFWwindow& window, const FramebufferHints& framebuffer,
                 wanted.major, wanted.minor);
     return false;
   }
+  static std::uint32_t groups = 0;
+  window.state.shareGroup = share ? share->state.shareGroup : groups++;
   const Size size = window.size;
   GLFWwindow* const previous = currentWindow();
   if (!makeCurrent(&window)) {

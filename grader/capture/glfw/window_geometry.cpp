@@ -2,6 +2,7 @@
 
 #include "capture/channel_writer.hpp"
 #include "capture/glfw/library.hpp"
+#include "capture/recorder/recorder.hpp"
 
 #include <algorithm>
 
@@ -33,7 +34,10 @@ void updateSize(GLFWwindow& window) {
     window.needsRefresh = true;
   }
   // A context that another thread has takes its new size at that thread's next swap.
-  if (&window == currentWindow()) window.context->makeCurrent(size);
+  if (&window != currentWindow()) return;
+  if (recordsPasses && size != window.context->size()) recorder::leave();
+  window.context->makeCurrent(size);
+  window.state.windowSize = window.context->size();
 }
 
 } // namespace ggrade::capture

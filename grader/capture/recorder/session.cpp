@@ -1,0 +1,70 @@
+#include "capture/recorder/session.hpp"
+
+#include "capture/channel_writer.hpp"
+#include "capture/recorder/gl_calls.hpp"
+#include "capture/run.hpp"
+
+namespace ggrade::capture::recorder {
+namespace {
+
+/// Never destroyed: the program's own destructors may still call GL.
+Shared& sharedState() {
+  static Shared* const instance = new Shared;
+  return *instance;
+}
+
+Context& contextOf(ContextState& state, Shared& shared) {
+  if (!state.recorder) {
+    state.recorder = std::make_shared<Context>();
+    state.recorder->id = shared.contexts++;
+    state.recorder->compatible =
+        integer(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_COMPATIBILITY_PROFILE_BIT;
+  }
+  return *state.recorder;
+}
+
+} // namespace
+
+Shared::Shared() : request(plan()->trace) {}
+
+Session::Session() : shared_(sharedState()), state_(currentState()), frame_(run().frame()) {
+  if (!state_ || frame_ >= plan()->frameCount) return;
+  if (state_->recorder && state_->recorder->insideBegin) return;
+  lock_ = std::unique_lock(shared_.mutex);
+  Context& context = contextOf(*state_, shared_);
+  // In a display list nothing is drawn yet, and some of our calls would become part of it.
+  if (context.compatible && integer(GL_LIST_INDEX) != 0) {
+    lock_.unlock();
+    return;
+  }
+  context_ = &context;
+  collectError(*state_);
+  state_->quiet = true;
+}
+
+Session::~Session() {
+  if (!context_) return;
+  while (gl().getError() != GL_NO_ERROR) {
+  }
+  state_->quiet = false;
+}
+
+void Session::countFrame(std::uint32_t& firstPass, std::uint32_t& passCount) {
+  std::unique_lock<std::mutex> lock;
+  if (!lock_) lock = std::unique_lock(shared_.mutex);
+  const std::uint32_t passes = shared_.tables.passes();
+  firstPass = shared_.firstPassOfFrame;
+  passCount = passes - firstPass;
+  shared_.firstPassOfFrame = passes;
+}
+
+Place Session::placeOf(const trace::ImageRef& image) const {
+  const bool window = image.kind == static_cast<std::uint32_t>(trace::ImageKind::window);
+  return {image.kind, window ? context_->id : state_->shareGroup, image.name};
+}
+
+Place Session::placeOf(GLuint texture) const {
+  return placeOf(textureLevel(texture, 0));
+}
+
+} // namespace ggrade::capture::recorder
