@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 
+#include "cli/pass_files.hpp"
 #include "cli/rendering.hpp"
 #include "cli/terminal.hpp"
 #include "grading/references.hpp"
@@ -26,7 +27,21 @@ struct Options {
   std::string target, out, scene, size;
   std::vector<double> times = {0};
   bool solution = false, json = false;
+  bool passes = false, steps = false, passTimes = false, raw = false;
 };
+
+trace::Request requested(const Options& options) {
+  trace::Request request{};
+  if (!options.passes) return request;
+  request.passes = 1;
+  request.copies = (1U << trace::kAttachments) - 1;
+  request.windowCopies = request.renderbufferCopies = 1;
+  request.stepCopies = options.steps;
+  request.copyFrames = std::uint32_t(options.times.size());
+  request.times = options.passTimes;
+  request.copyBytes = std::uint64_t{1} << 30;
+  return request;
+}
 
 /// The program that a shell would start. Throws UsageError if there is none.
 std::string findProgram(const std::string& name) {
@@ -42,7 +57,7 @@ std::string findProgram(const std::string& name) {
   throw UsageError(fmt::format("there is no program {}: name one that can be run", name));
 }
 
-json trace(const grading::Rendering& rendering) {
+json trace(const grading::Rendering& rendering, const std::vector<trace::CopyFiles>& files) {
   const channel::Capture& capture = rendering.capture;
   json frames = json::array(), messages = json::array();
   for (std::size_t i = 0; i < capture.frames.size(); ++i) {
@@ -60,16 +75,43 @@ json trace(const grading::Rendering& rendering) {
   for (const channel::CapturedMessage& message : capture.messages)
     messages.push_back(
         {{"frame", message.frame}, {"count", message.count}, {"text", message.text}});
-  return {{"version", 1},
-          {"rows", "top first"},
-          {"values", "as stored in the window, 8 bits a channel"},
-          {"outcome", report::name(rendering.happened.outcome)},
-          {"gl_version", capture.glVersion},
-          {"gl_renderer", capture.glRenderer},
-          {"context_seconds", capture.contextSeconds},
-          {"shader_seconds", capture.shaderSeconds},
-          {"frames", frames},
-          {"messages", messages}};
+  json all = {{"version", 1},
+              {"rows", "top first"},
+              {"values", "as stored in the window, 8 bits a channel"},
+              {"outcome", report::name(rendering.happened.outcome)},
+              {"gl_version", capture.glVersion},
+              {"gl_renderer", capture.glRenderer},
+              {"context_seconds", capture.contextSeconds},
+              {"shader_seconds", capture.shaderSeconds},
+              {"frames", frames},
+              {"messages", messages}};
+  if (capture.trace.frames.empty() && capture.trace.passes.empty()) return all;
+  for (std::size_t i = 0; i < capture.trace.frames.size(); ++i) {
+    const trace::FrameTrace& frame = capture.trace.frames[i];
+    all["frames"][i].update({{"first_pass", frame.firstPass},
+                             {"pass_count", frame.passCount},
+                             {"image_bytes", frame.imageBytes},
+                             {"buffer_bytes", frame.bufferBytes}});
+  }
+  for (std::size_t i = 0; i < capture.messages.size(); ++i)
+    if (capture.messages[i].pass != trace::kNone)
+      all["messages"][i]["pass"] = capture.messages[i].pass;
+  all["pass_values"] = "as stored, an sRGB attachment's decoded to linear";
+  all.update(trace::toJson(capture.trace, files));
+  return all;
+}
+
+/// What there was no room for, in words; empty if nothing is missing.
+std::string lostText(const trace::Trace& trace) {
+  const std::pair<const char*, std::uint32_t> tables[] = {{"passes", trace.passesLost},
+                                                          {"steps", trace.stepsLost},
+                                                          {"matrices", trace.matricesLost},
+                                                          {"sampled textures", trace.samplesLost},
+                                                          {"pictures", trace.copiesLost}};
+  std::string text;
+  for (const auto& [what, count] : tables)
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+  return text;
 }
 
 void render(const Options& options) {
@@ -82,17 +124,19 @@ void render(const Options& options) {
   const Size size = parseSize(options.size);
   if (!afterDashes.empty()) afterDashes[0] = findProgram(afterDashes[0]);
   const grading::Rendering rendering =
-      afterDashes.empty()
-          ? renderTarget({options.target, options.scene, size, options.times, options.solution},
-                         progress)
-          : grading::renderProgram(afterDashes, options.times, size.width, size.height);
+      afterDashes.empty() ? renderTarget({options.target, options.scene, size, options.times,
+                                          options.solution, requested(options)},
+                                         progress)
+                          : grading::renderProgram(afterDashes, options.times, size.width,
+                                                   size.height, requested(options));
   progress.clear();
 
   grading::TemporaryFolder work(fs::absolute(out).parent_path());
   const auto frames = grading::rawFrames(rendering.capture);
   for (std::size_t i = 0; i < frames.size(); ++i)
     writePng(work.path() / fmt::format("frame-{}.png", i), rubric::toImage(frames[i]));
-  const json trace = cli::trace(rendering);
+  const trace::Trace& passes = rendering.capture.trace;
+  const json trace = cli::trace(rendering, writePassFiles(passes, work.path(), options.raw));
   report::writeFile(work.path() / "trace.json", trace.dump(2) + '\n');
   work.publish(out);
 
@@ -101,6 +145,10 @@ void render(const Options& options) {
   } else {
     fmt::print("{}: {} frames in {}\n", report::name(rendering.happened.outcome), frames.size(),
                out.string());
+    if (options.passes)
+      fmt::print("{} passes, {} pictures of them\n", passes.passes.size(), passes.copies.size());
+    if (const std::string lost = lostText(passes); !lost.empty())
+      fmt::print("not recorded, for lack of room: {}\n", lost);
     for (const channel::CapturedMessage& message : rendering.capture.messages)
       if (message.kind != channel::MessageKind::capture)
         fmt::print("  frame {}: {}\n", message.frame, message.text);
@@ -127,11 +175,26 @@ void addRender(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--solution", options->solution,
                     "The reference instead of the assignment's own files");
+  auto* passes =
+      command->add_flag("--passes", options->passes,
+                        "Every pass too: in trace.json (see docs/trace.md), and a picture of what "
+                        "it left in each attachment, frame-N/pass-PP-color0.png");
+  command->add_flag("--steps", options->steps, "A picture after every step of a pass too")
+      ->needs(passes);
+  command
+      ->add_flag("--pass-times", options->passTimes,
+                 "Measure every pass; the whole then takes longer")
+      ->needs(passes);
+  command
+      ->add_flag("--raw", options->raw,
+                 "The values of each picture too, as 4-byte floats: frame-N/pass-PP-color0.f32")
+      ->needs(passes);
   command->add_flag("--json", options->json, "Print trace.json on stdout");
   command->footer("After -- stands any GLFW program with its arguments, run as it is.\n"
                   "Exit codes: 0 all frames came, 1 not, 2 usage, 3 no sandbox.\n\n"
                   "Examples:\n"
                   "  ggrade render mirror --solution --out out/mirror\n"
+                  "  ggrade render floor --solution --passes --out out/floor\n"
                   "  ggrade render uploads/ada --times 0,0.5,1 --out out/ada\n"
                   "  ggrade render --out out/homework --size 640x480 -- ./homework --fast");
   command->callback([options] { render(*options); });
