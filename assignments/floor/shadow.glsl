@@ -18,8 +18,9 @@ float visibility(vec3 world, vec3 normal) {
   //           (w <= 0) or outside the map is lit. texture() of a sampler2DShadow compares: it gives 1
   //           where your depth, less a small bias, is not beyond the map's.
   //   Expect: shadows on the floor and on the objects.             (shadow.md, step 4)
-  // TODO(shadow.6): bonus: uShadowBias == 3 moves the point off its surface along `normal`, by more
-  //   where the light grazes, before all else. The texel there is uShadowTexel * (clip space w) wide.
+  // TODO(shadow.6): bonus: no constant bias. If uShadowBias is 3, move the point off its surface along
+  //   `normal`, by more where the light grazes, before all else. A texel there is uShadowTexel * (clip
+  //   space w) wide. If it is 2, glPolygonOffset while the map is drawn (floor.cpp).
   // TODO(shadow.5): bonus: if uPcfRadius > 0, the mean over (2 * uPcfRadius + 1)^2 neighbouring texels.
   return 1.0;
 }
