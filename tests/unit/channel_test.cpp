@@ -1,6 +1,7 @@
 // The judging side of the capture channel against children that write what they like.
 
-#include "capture/channel_reader.hpp"
+#include "channel_child.hpp"
+#include "framework_throws.hpp"
 
 #include <gmock/gmock.h>
 
@@ -8,34 +9,11 @@
 #include <cstring>
 #include <fcntl.h>
 #include <limits>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace ggrade::channel {
 namespace {
-
-/// The file as the child has it.
-class ChildView {
-public:
-  explicit ChildView(const Channel& channel) : bytes_(totalBytes(channel.plan())) {
-    file_ = static_cast<unsigned char*>(
-        mmap(nullptr, bytes_, PROT_READ | PROT_WRITE, MAP_SHARED, channel.descriptor(), 0));
-  }
-  ~ChildView() { munmap(file_, bytes_); }
-  ChildView(const ChildView&) = delete;
-  ChildView& operator=(const ChildView&) = delete;
-
-  Header& header() { return *reinterpret_cast<Header*>(file_); }
-  unsigned char* slot(const Plan& plan, std::uint32_t index) {
-    return file_ + slotOffset(plan, index);
-  }
-  void fill(unsigned char value) { std::memset(file_, value, bytes_); }
-
-private:
-  std::size_t bytes_;
-  unsigned char* file_;
-};
 
 /// A channel of two 2x2 frames whose child has written both, rows numbered from the bottom.
 class ChannelRead : public testing::Test {
@@ -207,6 +185,37 @@ TEST(Channel, RefusesImpossiblePlans) {
   EXPECT_THROW(Channel({{nan, 1, 1}}), std::invalid_argument);
   EXPECT_THROW(Channel({{0, 16385, 1}}), std::invalid_argument);
   EXPECT_THROW(Channel({{0, 0, 0}}, 0), std::invalid_argument);
+}
+
+TEST(Channel, RefusesImpossibleRequests) {
+  struct Case {
+    const char* error;
+    void (*ask)(trace::Request&);
+  };
+  const Case cases[] = {
+      {"what is recorded is 0 or 1", [](trace::Request& request) { request.passes = 2; }},
+      {"what is recorded is 0 or 1", [](trace::Request& request) { request.stepCopies = 7; }},
+      {"what is recorded is 0 or 1", [](trace::Request& request) { request.times = 3; }},
+      {"copies are of attachments 0 to 9", [](trace::Request& request) { request.copies = 1024; }},
+      {"copies are made in 64 frames at most",
+       [](trace::Request& request) { request.copyFrames = 65; }},
+      {"there is room for 2 GiB of copies at most",
+       [](trace::Request& request) { request.copyBytes = kMaxCopyBytes + 1; }},
+      {"what is reserved is 0", [](trace::Request& request) { request.reserved = 1; }},
+      {"nothing is recorded of passes without the passes",
+       [](trace::Request& request) { request.passes = 0; }},
+  };
+  for (const Case& bad : cases) {
+    trace::Request request{};
+    request.passes = request.copies = 1;
+    request.copyBytes = 4096;
+    EXPECT_NO_THROW(Channel({{0, 1, 1}}, kDefaultMaxPixels, request));
+    bad.ask(request);
+    EXPECT_EQ(messageOf<std::invalid_argument>([&] {
+                Channel({{0, 1, 1}}, kDefaultMaxPixels, request);
+              }),
+              std::string("capture plan: ") + bad.error);
+  }
 }
 
 } // namespace
