@@ -1,6 +1,7 @@
 #include "capture/recorder/copies.hpp"
 
 #include "capture/recorder/gl_calls.hpp"
+#include "capture/recorder/images.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,12 +55,6 @@ public:
   Attached& operator=(const Attached&) = delete;
 
 private:
-  static bool hasLayers(std::uint32_t target) {
-    return target == GL_TEXTURE_3D || target == GL_TEXTURE_1D_ARRAY ||
-           target == GL_TEXTURE_2D_ARRAY || target == GL_TEXTURE_CUBE_MAP ||
-           target == GL_TEXTURE_CUBE_MAP_ARRAY || target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY;
-  }
-
   GLuint framebuffer_;
   GLenum point_;
 };

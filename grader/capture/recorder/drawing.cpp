@@ -41,6 +41,7 @@ void recordClearBuffer(Session& session, GLint drawBuffer, const ClearValue& val
 } // namespace
 
 void draw(const DrawCall& call) {
+  if (call.mode > GL_PATCHES) return; // an error of the program's; nothing is drawn
   Session session;
   if (!session) return;
   const Target target = boundTarget();
@@ -78,7 +79,8 @@ void end() {
 
 void clear(GLbitfield mask) {
   constexpr GLbitfield kKnown = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT;
-  if (!(mask & kKnown)) return;
+  // Other bits are an error of the program's; nothing is cleared.
+  if (!(mask & kKnown) || mask & ~(kKnown | GL_ACCUM_BUFFER_BIT)) return;
   Session session;
   if (!session) return;
   const Target target = boundTarget();

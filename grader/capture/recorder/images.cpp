@@ -123,14 +123,8 @@ ImageRef attachedImage(GLenum binding, GLuint framebuffer, std::uint32_t attachm
       image.layer = face - GL_TEXTURE_CUBE_MAP_POSITIVE_X;
       break;
     }
-    switch (textureParameter(image.name, GL_TEXTURE_TARGET)) {
-    case GL_TEXTURE_3D:
-    case GL_TEXTURE_1D_ARRAY:
-    case GL_TEXTURE_2D_ARRAY:
-    case GL_TEXTURE_CUBE_MAP_ARRAY:
-    case GL_TEXTURE_2D_MULTISAMPLE_ARRAY:
+    if (hasLayers(static_cast<GLenum>(textureParameter(image.name, GL_TEXTURE_TARGET))))
       image.layer = ask(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER);
-    }
     break;
   }
   default:
@@ -161,6 +155,12 @@ bool sameImages(const Target& a, const Target& b) {
     if (!sameImage(a.images[i], b.images[i])) return false;
   }
   return true;
+}
+
+bool hasLayers(GLenum target) {
+  return target == GL_TEXTURE_3D || target == GL_TEXTURE_1D_ARRAY ||
+         target == GL_TEXTURE_2D_ARRAY || target == GL_TEXTURE_CUBE_MAP ||
+         target == GL_TEXTURE_CUBE_MAP_ARRAY || target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY;
 }
 
 GLint textureParameter(GLuint texture, GLenum name) {

@@ -54,6 +54,9 @@ std::uint64_t renderbufferBytes(GLuint renderbuffer);
 /// targets that hold no texture of the program's, such as proxies.
 GLuint boundTexture(GLenum target);
 
+/// Whether one level of such a texture is more than one image: array, cube, 3D.
+bool hasLayers(GLenum target);
+
 GLint textureParameter(GLuint texture, GLenum name);
 GLint levelParameter(GLuint texture, std::uint32_t level, GLenum name);
 

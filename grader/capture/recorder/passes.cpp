@@ -79,7 +79,7 @@ double secondsOf(const OpenPass& pass) {
 OpenPass& beginPass(Session& session, trace::PassKind kind) {
   endPass(session);
   OpenPass& pass = session.context().pass.emplace();
-  pass.record.frame = session.frame();
+  pass.record.frame = session.shared().frame;
   pass.record.kind = static_cast<std::uint32_t>(kind);
   pass.record.framebuffer = kNone;
   pass.record.status = GL_FRAMEBUFFER_COMPLETE;

@@ -2,7 +2,6 @@
 
 #include "capture/channel_writer.hpp"
 #include "capture/recorder/gl_calls.hpp"
-#include "capture/run.hpp"
 
 namespace ggrade::capture::recorder {
 namespace {
@@ -27,16 +26,12 @@ Context& contextOf(ContextState& state, Shared& shared) {
 
 Shared::Shared() : request(plan()->trace) {}
 
-Session::Session() : shared_(sharedState()), state_(currentState()), frame_(run().frame()) {
-  if (!state_ || frame_ >= plan()->frameCount) return;
-  if (state_->recorder && state_->recorder->insideBegin) return;
-  lock_ = std::unique_lock(shared_.mutex);
+Session::Session() : shared_(sharedState()), state_(currentState()), lock_(shared_.mutex) {
+  if (!state_ || shared_.frame >= plan()->frameCount) return;
   Context& context = contextOf(*state_, shared_);
+  if (context.insideBegin) return;
   // In a display list nothing is drawn yet, and some of our calls would become part of it.
-  if (context.compatible && integer(GL_LIST_INDEX) != 0) {
-    lock_.unlock();
-    return;
-  }
+  if (context.compatible && integer(GL_LIST_INDEX) != 0) return;
   context_ = &context;
   collectError(*state_);
   state_->quiet = true;
@@ -50,12 +45,11 @@ Session::~Session() {
 }
 
 void Session::countFrame(std::uint32_t& firstPass, std::uint32_t& passCount) {
-  std::unique_lock<std::mutex> lock;
-  if (!lock_) lock = std::unique_lock(shared_.mutex);
   const std::uint32_t passes = shared_.tables.passes();
   firstPass = shared_.firstPassOfFrame;
   passCount = passes - firstPass;
   shared_.firstPassOfFrame = passes;
+  ++shared_.frame;
 }
 
 Place Session::placeOf(const trace::ImageRef& image) const {

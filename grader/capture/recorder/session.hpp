@@ -70,6 +70,7 @@ struct Shared {
   Writers writers;
   Programs programs;
   std::uint32_t contexts = 0;
+  std::uint32_t frame = 0; ///< the frame that is being drawn
   std::uint32_t firstPassOfFrame = 0;
   Shared();
 };
@@ -89,8 +90,7 @@ public:
   Context& context() const { return *context_; }
   Shared& shared() const { return shared_; }
   ContextState& state() const { return *state_; }
-  std::uint32_t frame() const { return frame_; }
-  /// Which passes began since the last call. Also when there is nothing to record now.
+  /// Ends the frame: which passes began in it. Also when there is nothing to record now.
   void countFrame(std::uint32_t& firstPass, std::uint32_t& passCount);
   Place placeOf(const trace::ImageRef& image) const;
   Place placeOf(GLuint texture) const;
@@ -99,7 +99,6 @@ private:
   Shared& shared_;
   ContextState* state_;
   Context* context_ = nullptr;
-  std::uint32_t frame_ = 0;
   std::unique_lock<std::mutex> lock_;
 };
 

@@ -86,8 +86,9 @@ void noteImageStores(Session& session, OpenPass& pass, const std::vector<GLuint>
       };
       const GLuint texture = ask(GL_IMAGE_BINDING_NAME);
       if (!texture || ask(GL_IMAGE_BINDING_ACCESS) == GL_READ_ONLY) continue;
+      const auto target = static_cast<GLenum>(textureParameter(texture, GL_TEXTURE_TARGET));
       const std::uint32_t layer =
-          ask(GL_IMAGE_BINDING_LAYERED) ? kNone : ask(GL_IMAGE_BINDING_LAYER);
+          !hasLayers(target) || ask(GL_IMAGE_BINDING_LAYERED) ? kNone : ask(GL_IMAGE_BINDING_LAYER);
       const OtherWrite write{session.placeOf(texture), ask(GL_IMAGE_BINDING_LEVEL), layer};
       if (std::find(pass.otherWrites.begin(), pass.otherWrites.end(), write) ==
           pass.otherWrites.end())

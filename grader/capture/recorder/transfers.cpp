@@ -65,6 +65,11 @@ bool isNone(const ImageRef& image) {
   return image.kind == static_cast<std::uint32_t>(ImageKind::none);
 }
 
+GLint distance(GLint a, GLint b) {
+  const std::int64_t wide = std::abs(std::int64_t{a} - b);
+  return static_cast<GLint>(std::min<std::int64_t>(wide, INT32_MAX));
+}
+
 void recordBlit(Session& session, const GLint (&to)[4], GLbitfield mask) {
   OpenPass& pass = beginPass(session, PassKind::blit);
   trace::PassRecord& record = pass.record;
@@ -74,8 +79,8 @@ void recordBlit(Session& session, const GLint (&to)[4], GLbitfield mask) {
   record.drawBuffers = target.drawBuffers;
   record.viewport[0] = std::min(to[0], to[2]);
   record.viewport[1] = std::min(to[1], to[3]);
-  record.viewport[2] = std::abs(to[2] - to[0]);
-  record.viewport[3] = std::abs(to[3] - to[1]);
+  record.viewport[2] = distance(to[0], to[2]);
+  record.viewport[3] = distance(to[1], to[3]);
   std::uint32_t asked = mask & GL_COLOR_BUFFER_BIT ? target.drawBuffers : 0;
   if (mask & GL_DEPTH_BUFFER_BIT) asked |= 1U << trace::kDepth;
   if (mask & GL_STENCIL_BUFFER_BIT) asked |= 1U << trace::kStencil;
