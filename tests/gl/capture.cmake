@@ -7,10 +7,11 @@ function(ggrade_capture_program name source)
   set_property(GLOBAL APPEND PROPERTY GGRADE_CAPTURE_PROGRAMS capture_${name})
 endfunction()
 find_package(glfw3 3.3 REQUIRED)
-foreach(name triangle resized two_windows errors framebuffer_left_bound encodes_srgb lit_scene threaded)
+foreach(name triangle resized two_windows errors framebuffer_left_bound encodes_srgb lit_scene threaded passes samples
+    formats state_kept hostile_passes)
   ggrade_capture_program(${name} ${name}.cpp gg_glad)
 endforeach()
-foreach(name compatible ignores_close waits_for_time calls_missing)
+foreach(name compatible compatible_passes ignores_close waits_for_time calls_missing)
   ggrade_capture_program(${name} ${name}.cpp GL)
 endforeach()
 foreach(name clock meaningless never_swaps)
@@ -29,7 +30,11 @@ ggrade_test(capture_test gl
     ${CMAKE_CURRENT_LIST_DIR}/capture_errors_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_exports_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_frames_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/capture_recorder_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/capture_recorder_copies_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/capture_recorder_limits_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_run_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/capture_traces.cpp
   LIBRARIES ggrade_channel TIMEOUT 120)
 target_compile_definitions(capture_test PRIVATE
   GGRADE_CAPTURE_FOLDER="${CMAKE_BINARY_DIR}/capture"

@@ -69,7 +69,7 @@ CaptureRun runWithDescriptor(const std::string& program, int descriptor,
 
 CaptureRun runCaptured(const std::string& program, const std::vector<channel::PlannedFrame>& frames,
                        const CaptureOptions& options) {
-  const channel::Channel channel(frames);
+  const channel::Channel channel(frames, channel::kDefaultMaxPixels, options.trace);
   CaptureRun run = runWithDescriptor(program, channel.descriptor(), options);
   run.capture = channel.read();
   return run;
