@@ -32,6 +32,7 @@ std::filesystem::path outputFolder(const std::string& named);
 
 void addList(CLI::App& app);
 void addRender(CLI::App& app);
+void addInspect(CLI::App& app);
 void addGrade(CLI::App& app);
 void addDemo(CLI::App& app);
 void addDerive(CLI::App& app);

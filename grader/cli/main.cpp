@@ -48,6 +48,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   addList(app);
   addRender(app);
+  addInspect(app);
   addGrade(app);
   addDemo(app);
   addDerive(app);

@@ -56,10 +56,14 @@ void checkTimes(const std::vector<double>& times, const std::string& option) {
 }
 
 grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {
-  const Target target = targetOf(what.target);
+  const Target target =
+      what.folder.empty() ? targetOf(what.target) : findTarget(assignmentsFolder(), what.target);
   const std::string& id = target.assignment.id;
-  const bool upload = fs::is_directory(what.target);
-  const fs::path sources = upload          ? fs::path(what.target)
+  const fs::path folder = what.folder.empty() ? what.target : what.folder;
+  const bool upload = fs::is_directory(folder);
+  if (!what.folder.empty() && !upload)
+    throw UsageError(fmt::format("{} is not a folder of files", what.folder));
+  const fs::path sources = upload          ? folder
                            : what.solution ? solutionFolder(id)
                                            : target.assignment.folder;
   const Isolation isolation = upload ? Isolation::bwrap : Isolation::none;

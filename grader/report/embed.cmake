@@ -1,5 +1,5 @@
-# Writes FILES as string constants to OUTPUT: templates/page.js becomes `k_page_js`, and the script's
-# SHA-256, which the pages' Content-Security-Policy names, `k_page_js_sha256`.
+# Writes FILES as string constants to OUTPUT: templates/page.js becomes `k_page_js`, and the SHA-256 of
+# a script, which the pages' Content-Security-Policy names, `k_page_js_sha256`.
 set(code "// Made by embed.cmake from templates/.\n#include \"report/templates.hpp\"\nnamespace ggrade::report::templates {\n")
 foreach(path ${FILES})
   get_filename_component(name ${path} NAME)
@@ -7,7 +7,7 @@ foreach(path ${FILES})
   file(READ ${path} text)
   file(SHA256 ${path} hash)
   string(APPEND code "const std::string_view ${constant} = R\"~embed~(${text})~embed~\";\n")
-  if(name STREQUAL "page.js")
+  if(name MATCHES "\\.js$")
     string(APPEND code "const std::string_view ${constant}_sha256 = \"${hash}\";\n")
   endif()
 endforeach()

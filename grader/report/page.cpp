@@ -16,9 +16,9 @@ Data orFalse(std::string clean) {
 
 // The Content-Security-Policy admits this one script by its hash: markup that slipped through as
 // text could not run.
-std::string scriptHash() {
+std::string scriptHash(std::string_view sha256) {
   std::vector<unsigned char> bytes;
-  const std::string hex(templates::k_page_js_sha256);
+  const std::string hex(sha256);
   for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
     bytes.push_back(static_cast<unsigned char>(std::stoi(hex.substr(i, 2), nullptr, 16)));
   return "sha256-" + base64(bytes);
@@ -34,16 +34,21 @@ Data text(std::string_view text) {
   return orFalse(sanitize(text));
 }
 
-std::string renderPage(std::string_view body, Data data, std::string_view title) {
+std::string renderPage(const PageKind& kind, Data data, std::string_view title) {
   data["head"] = Data(std::string(templates::k_head_mustache));
-  data["style"] = Data(std::string(templates::k_style_css));
-  data["script"] = Data(std::string(templates::k_page_js));
-  data["scriptHash"] = Data(scriptHash());
+  data["style"] = Data(std::string(templates::k_style_css) + std::string(kind.style));
+  data["script"] = Data(std::string(kind.script));
+  data["scriptHash"] = Data(scriptHash(kind.scriptSha256));
   data["pageTitle"] = line(title);
-  kainjow::mustache::mustache page{std::string(body)};
+  kainjow::mustache::mustache page{std::string(kind.body)};
   std::string html = page.render(data);
   if (!page.is_valid()) throw std::logic_error("page template: " + page.error_message());
   return html;
+}
+
+std::string renderPage(std::string_view body, Data data, std::string_view title) {
+  return renderPage({body, templates::k_page_js, templates::k_page_js_sha256, ""}, std::move(data),
+                    title);
 }
 
 } // namespace ggrade::report

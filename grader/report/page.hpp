@@ -21,6 +21,18 @@ inline Data makeList() {
 Data line(std::string_view text);
 Data text(std::string_view text);
 
+/// What makes one kind of page differ from the others.
+struct PageKind {
+  std::string_view body;         ///< a file of templates/
+  std::string_view script;       ///< its one script
+  std::string_view scriptSha256; ///< of the script, 64 hexadecimal digits
+  std::string_view style;        ///< after the sheet that all pages share; may be empty
+};
+
+/// Renders `kind.body` with `data`, adding the head, the styles and the script.
+/// \throws std::logic_error if the template doesn't parse.
+std::string renderPage(const PageKind& kind, Data data, std::string_view title);
+
 /// Renders `body` (a file of templates/) with `data`, adding the head, the style and the script.
 /// A name that an inner context lacks is looked up outside it, so every list entry sets all of its
 /// names. \throws std::logic_error if the template doesn't parse.

@@ -12,5 +12,9 @@ extern const std::string_view k_overview_mustache;
 extern const std::string_view k_style_css;
 extern const std::string_view k_page_js;
 extern const std::string_view k_page_js_sha256; ///< 64 hexadecimal digits
+extern const std::string_view k_inspect_mustache;
+extern const std::string_view k_inspect_css;
+extern const std::string_view k_inspect_js;
+extern const std::string_view k_inspect_js_sha256;
 
 } // namespace ggrade::report::templates

@@ -1,0 +1,195 @@
+#include "report/inspect_parts.hpp"
+
+#include "report/inspect_words.hpp"
+
+#include <GL/glcorearb.h>
+#include <fmt/format.h>
+
+namespace ggrade::report {
+
+using namespace trace;
+
+namespace {
+
+bool isThere(const ImageRef& image) {
+  return image.kind != std::uint32_t(ImageKind::none);
+}
+
+std::string clearedTo(const PassRecord& pass, std::uint32_t attachment) {
+  if (!(pass.cleared >> attachment & 1)) return "";
+  if (attachment == kDepth) return shortest(pass.clearDepth);
+  if (attachment == kStencil) return std::to_string(pass.clearStencil);
+  const float* c = pass.clearColor;
+  return fmt::format("({}, {}, {}, {})", shortest(c[0]), shortest(c[1]), shortest(c[2]),
+                     shortest(c[3]));
+}
+
+Data attachmentsOf(const PassRecord& pass) {
+  Data list = makeList();
+  for (std::uint32_t i = 0; i < kAttachments; ++i) {
+    if (!isThere(pass.images[i])) continue;
+    Data row(Data::type::object);
+    row["name"] = Data(attachmentWords(pass, i));
+    row["image"] = Data(imageWords(pass.images[i]));
+    row["size"] = Data(sizeWords(pass.images[i]));
+    row["format"] = pass.images[i].format ? Data(glName(pass.images[i].format)) : Data(false);
+    row["cleared"] = line(clearedTo(pass, i));
+    const bool isColour = i < kColors;
+    std::string use = pass.written >> i & 1 ? "written" : "unchanged";
+    if (isColour && !(pass.drawBuffers >> i & 1)) use = "no draw buffer";
+    row["use"] = Data(use);
+    list.push_back(row);
+  }
+  return list;
+}
+
+std::string drawBuffers(const PassRecord& pass) {
+  std::string text;
+  for (std::uint32_t i = 0; i < kColors; ++i)
+    if (pass.drawBuffers >> i & 1) text += (text.empty() ? "" : ", ") + attachmentWords(pass, i);
+  return text.empty() ? "none" : text;
+}
+
+std::string scaleWords(const PagePixels& pixels) {
+  const auto limits = fmt::format("black {:.4g}, white {:.4g}", pixels.low, pixels.high);
+  if (pixels.scale == "as stored") return "";
+  if (pixels.scale == "divided by the greatest value")
+    return fmt::format("darkened: white is {:.4g}", pixels.high);
+  if (pixels.depth)
+    return fmt::format("distance from the eye, {} (found in {})", limits, pixels.depth->matrix);
+  if (pixels.scale == "stretched depth") return "depth, " + limits;
+  return pixels.scale;
+}
+
+std::string_view typeName(std::uint32_t type) {
+  switch (static_cast<PixelType>(type)) {
+  case PixelType::u8x4:
+    return "u8x4";
+  case PixelType::f16x4:
+    return "f16x4";
+  case PixelType::f32x4:
+    return "f32x4";
+  case PixelType::f32x1:
+    return "f32x1";
+  case PixelType::u8x1:
+    return "u8x1";
+  case PixelType::i32x4:
+    return "i32x4";
+  case PixelType::u32x4:
+    return "u32x4";
+  }
+  return "";
+}
+
+Data pictureOf(const FilmParts& parts, const PagePixels& pixels) {
+  const CopyRecord& copy = *pixels.copy;
+  const PassRecord& pass = parts.graph.pass(copy.pass);
+  std::string name = attachmentWords(pass, copy.attachment);
+  if (copy.step != kNone) name += fmt::format(" after step {}", copy.step - pass.firstStep + 1);
+  Data data(Data::type::object);
+  data["name"] = Data(name);
+  data["picture"] = pixels.picture.empty() ? Data(false) : Data(pixels.picture);
+  data["type"] = Data(std::string(typeName(copy.type)));
+  data["width"] = Data(std::to_string(copy.width));
+  data["height"] = Data(std::to_string(copy.height));
+  data["values"] = pixels.values.empty()
+                       ? Data(false)
+                       : Data(fmt::format("values-{}", &pixels - parts.pixels.copies.data()));
+  data["low"] = Data(fmt::format("{:.9g}", pixels.low));
+  data["high"] = Data(fmt::format("{:.9g}", pixels.high));
+  data["linear"] =
+      pixels.depth
+          ? Data(fmt::format("{:.17g} {:.17g}", pixels.depth->numerator, pixels.depth->offset))
+          : Data(false);
+  data["range"] = Data(pixels.range);
+  data["scale"] = line(scaleWords(pixels));
+  data["notANumber"] = line(pixels.notANumber);
+  data["passNumber"] = Data(std::to_string(parts.graph.number(copy.pass)));
+  return data;
+}
+
+std::string statusText(const PassRecord& pass) {
+  return glName(pass.status);
+}
+
+} // namespace
+
+Data passLink(const FrameGraph& graph, std::uint32_t pass, std::string_view words) {
+  Data link(Data::type::object);
+  link["to"] = Data(std::to_string(graph.number(pass)));
+  link["words"] = line(words);
+  return link;
+}
+
+Data notesData(const std::vector<Note>& notes) {
+  Data list = makeList();
+  for (const Note& note : notes) {
+    const auto [state, sign] = note.kind == Note::Kind::wrong ? std::pair("none", "✗")
+                               : note.kind == Note::Kind::odd ? std::pair("part", "!")
+                                                              : std::pair("plain", "i");
+    Data data(Data::type::object);
+    data["note"] = line(note.text);
+    data["state"] = Data(std::string(state));
+    data["sign"] = Data(std::string(sign));
+    list.push_back(data);
+  }
+  return list;
+}
+
+Data passOf(const FilmParts& parts, std::uint32_t index) {
+  const FrameGraph& graph = parts.graph;
+  const PassRecord& pass = graph.pass(index);
+  Data data(Data::type::object);
+  data["number"] = Data(std::to_string(graph.number(index)));
+  data["title"] = line(passTitle(pass));
+  data["notes"] = notesData(parts.notes[index - graph.first()]);
+
+  Data pictures = makeList();
+  for (const PagePixels* pixels : parts.pixelsOf(index))
+    pictures.push_back(pictureOf(parts, *pixels));
+  data["hasPictures"] = Data(!parts.pixelsOf(index).empty());
+  data["pictures"] = std::move(pictures);
+
+  data["framebuffer"] = pass.framebuffer == kNone ? Data(false)
+                        : pass.framebuffer == 0   ? Data(std::string("0 (the window)"))
+                                                  : Data(std::to_string(pass.framebuffer));
+  data["incomplete"] = pass.framebuffer == kNone || pass.status == GL_FRAMEBUFFER_COMPLETE
+                           ? Data(false)
+                           : Data(statusText(pass));
+  const auto& v = pass.viewport;
+  data["viewport"] = Data(fmt::format("{} x {} at ({}, {})", v[2], v[3], v[0], v[1]));
+  data["drawBuffers"] = Data(drawBuffers(pass));
+  data["draws"] =
+      Data(fmt::format("{}, {} vertices", counted(pass.draws, "draw"), grouped(pass.vertices)));
+  data["milliseconds"] =
+      pass.seconds > 0 ? Data(fmt::format("{:.2f} ms", pass.seconds * 1e3)) : Data(false);
+  data["attachments"] = attachmentsOf(pass);
+
+  Data reads = makeList(), readers = makeList();
+  for (const PassRead& read : graph.readsOf(index))
+    reads.push_back(passLink(graph, read.writer, readWords(graph, read)));
+  for (const PassRead& read : graph.readersOf(index))
+    readers.push_back(passLink(graph, read.reader,
+                               fmt::format("pass {} (its {})", graph.number(read.reader),
+                                           attachmentWords(pass, read.attachment))));
+  data["hasReads"] = Data(!graph.readsOf(index).empty());
+  data["reads"] = std::move(reads);
+  data["hasReaders"] = Data(!graph.readersOf(index).empty());
+  data["readers"] = std::move(readers);
+
+  Data messages = makeList();
+  bool any = false;
+  for (const InspectedMessage& message : parts.frame.messages) {
+    if (message.pass != index) continue;
+    Data entry(Data::type::object);
+    entry["text"] = line(message.text);
+    messages.push_back(entry);
+    any = true;
+  }
+  data["hasMessages"] = Data(any);
+  data["messages"] = std::move(messages);
+  data["steps"] = stepsOf(parts, index);
+  return data;
+}
+
+} // namespace ggrade::report

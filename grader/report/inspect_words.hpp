@@ -1,0 +1,48 @@
+#pragma once
+/// \file
+/// Recorded state in words.
+
+#include "report/inspect_graph.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ggrade::report {
+
+/// A number with as few digits as tell it from its neighbours: "0.1", "inf", "nan".
+std::string shortest(float value);
+/// "12.3 MB", "480 bytes".
+std::string byteWords(std::uint64_t bytes);
+/// "1,234".
+std::string grouped(std::uint64_t value);
+/// "1 draw", "3 draws".
+std::string counted(std::uint64_t count, std::string_view noun);
+
+/// "colour 0", or "colour" for the only one; "depth"; "stencil"; "picture" for trace::kNone.
+std::string attachmentWords(const trace::PassRecord& pass, std::uint32_t attachment);
+/// "texture 3, level 2", "window", "renderbuffer 1".
+std::string imageWords(const trace::ImageRef& image);
+/// "1024 x 1024", with "4 samples" if there are.
+std::string sizeWords(const trace::ImageRef& image);
+/// Attachments that a pass is about: draw buffers; depth and stencil too when nothing else.
+std::vector<std::uint32_t> mainAttachments(const trace::PassRecord& pass);
+
+/// "draws into a texture, 1024 x 1024 RGBA8, with depth renderbuffer".
+std::string passTitle(const trace::PassRecord& pass);
+/// What a framebuffer status means and what to do; empty for a complete one.
+std::string statusMeaning(std::uint32_t status);
+
+/// One line of a step's state.
+struct StateWord {
+  std::string label, value;
+};
+/// Always the same labels in the same order, so that two steps can be compared line by line.
+std::vector<StateWord> stateWords(const trace::StepRecord& step);
+/// "LINEAR, CLAMP_TO_EDGE"; comparisons named too.
+std::string samplerWords(const trace::SampleRecord& sample);
+
+/// "pass 1's depth".
+std::string readWords(const FrameGraph& graph, const PassRead& read);
+
+} // namespace ggrade::report
