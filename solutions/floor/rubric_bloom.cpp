@@ -22,6 +22,13 @@ using namespace floor_rubric;
 
 namespace {
 
+/// Least difference that bloom makes where an item looks at the window.
+constexpr float kReach = 10.0f / 255;
+/// Share of wrong pixels at which a pass, or the picture, has nothing left.
+constexpr double kNothingOfPass = 0.15, kNothingOfPicture = 0.25;
+/// A picture as right as this is made by passes that are right, in whatever way.
+constexpr double kRightPicture = 0.9;
+
 /// Formats that hold more than 0 to 1.
 bool holdsLight(std::uint32_t format) {
   for (const char* name : {"RGBA16F", "RGB16F", "RGBA32F", "RGB32F", "R11F_G11F_B10F"})
@@ -46,7 +53,7 @@ const Pyramid& pyramidOf(const View& view) {
 /// Where bloom makes a difference in the window.
 Mask halo(const View& view, std::size_t frame) {
   return differenceMask(view.scene.reference.at(frame), view.scene.probes.at("no bloom").at(frame),
-                        4.0f / 255);
+                        kReach);
 }
 
 /// The picture against the reference with each filter; other weights than ours are as good.
@@ -66,17 +73,18 @@ Verdict picture(const View& view) {
     against(view.scene.reference.at(i));
     for (const char* filter : {"5x5", "dual", "13 samples", "clamped"})
       if (least > 0) against(view.scene.probes.at(filter).at(i));
-    return {qualityOf(least), fmt::format("{:.1f}% of the {} pixels that bloom reaches differ{}",
-                                          100 * least, region.count(), where)};
+    return {qualityOf(least, kNothingOfPicture),
+            fmt::format("{:.1f}% of the {} pixels that bloom reaches differ{}", 100 * least,
+                        region.count(), where)};
   });
 }
 
 GGRADE_ITEM("bloom.picture", picture);
 
-/// What a pass shows, or the picture if that is better.
+/// What a pass shows, or the picture if that is right.
 Verdict passOrPicture(const View& view, double quality, const std::string& message) {
   const Verdict whole = picture(view);
-  if (quality >= 1 || whole.quality <= quality) return {quality, message};
+  if (whole.quality <= std::max(quality, kRightPicture)) return {quality, message};
   return {whole.quality, message + "; but the picture counts: " + whole.message};
 }
 
@@ -93,7 +101,7 @@ double sceneQuality(const View& view, std::string& message) {
   }
   const LightComparison light = compareLight(found.scene, referencePyramid(view).scene, 1);
   message = fmt::format("scene: {}, {}", format, light.text);
-  return qualityOf(light.wrongShare);
+  return qualityOf(light.wrongShare, kNothingOfPass);
 }
 
 GGRADE_ITEM("bloom.scene", [](const View& view) {
@@ -120,7 +128,7 @@ GGRADE_ITEM("bloom.bright", [](const View& view) {
   std::string scene;
   const bool sceneRight = sceneQuality(view, scene) > 0.5;
   const LightComparison light = brightPass(view);
-  const double quality = qualityOf(light.wrongShare);
+  const double quality = qualityOf(light.wrongShare, kNothingOfPass);
   std::string message = "bright pass: " + light.text;
   if (quality < 1)
     message = sceneRight ? "the first wrong pass is the " + message
@@ -138,7 +146,7 @@ Verdict levelsInOrder(const std::vector<std::size_t>& order, const char* kind,
   bool earlier = false;
   for (const std::size_t k : order) {
     const LightComparison light = compareOne(k);
-    const double quality = qualityOf(light.wrongShare);
+    const double quality = qualityOf(light.wrongShare, kNothingOfPass);
     sum += quality;
     if (quality < 1 && wrong.empty())
       wrong =

@@ -170,10 +170,7 @@ LightComparison compareLight(const Image& found, const Image& wanted, double gai
   // bright, absolutely where it is dark.
   const auto compressed = [&](const Image& from) {
     Image to = from;
-    for (float& value : to.values()) {
-      value = std::max(value, 0.0f);
-      value = value / (value + 0.25f * most);
-    }
+    for (float& value : to.values()) value /= std::abs(value) + 0.25f * most;
     return to;
   };
   CompareOptions options;
