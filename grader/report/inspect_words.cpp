@@ -184,9 +184,10 @@ std::string passTitle(const PassRecord& pass) {
   if (targets.empty()) return std::string(verb(pass)) + "nothing";
   const ImageRef& image = pass.images[targets[0]];
   if (targets[0] >= kColors) {
-    const std::string how(verb(pass).substr(0, verb(pass).find(' ')));
-    return fmt::format("{} only {} of {}, {} {}", how, attachmentName(targets[0]), place(image),
-                       sizeWords(image), glName(image.format));
+    const bool both = targets.size() > 1;
+    return fmt::format("{}{}, {} only, {} {}", verb(pass), place(image),
+                       both ? "depth and stencil" : attachmentName(targets[0]), sizeWords(image),
+                       glName(image.format));
   }
   std::string text(verb(pass));
   const bool same = std::ranges::all_of(
