@@ -60,7 +60,8 @@
 
   function makeViewer(element) {
     const find = (selector) => element.querySelector(selector);
-    const pane = find(".pane"), canvas = find("canvas"), mark = find(".mark"), probe = find(".probe");
+    const pane = find(".pane"), canvas = find("canvas"), context = canvas.getContext("2d", { willReadFrequently: true });
+    const mark = find(".mark"), probe = find(".probe");
     const channelBox = find(".channels"), exposure = find(".exposure input"), encode = find(".encode input");
     const [black, white] = element.querySelectorAll(".between input");
     let picture, values, scale = 1, fitted = true, at;
@@ -71,7 +72,7 @@
 
     // The colour of a value as 0 to 255; what isn't a number is told apart in `paint`.
     function mapping() {
-      const clamp = (v) => v < 0 ? 0 : v > 1 ? 255 : v * 255 + 0.5;
+      const clamp = (v) => v * 255; // the array of pixels rounds and clamps
       if (isDepth()) {
         const low = Number(black.value), range = Number(white.value) - low || 1;
         return (depth) => depth >= 1 ? 255 : clamp((distance(depth) - low) / range);
@@ -82,7 +83,6 @@
     }
 
     function paint() {
-      const context = canvas.getContext("2d");
       const channel = element.querySelector("[name=channel]:checked").value;
       const channels = kTypes[picture.type][1];
       find(".exposure output").value = `${exposure.value > 0 ? "+" : ""}${Number(Number(exposure.value).toFixed(2))} EV`;
