@@ -13,7 +13,7 @@ struct Reflection {
 };
 
 // TODO(mirror.1): make the framebuffer object of the reflection.
-//   Given:  `size` (pixels), `format` (GL_RGBA8, or GL_RGBA16F where the scene can be brighter than
+//   Given:  `size` (pixels), `format` (GL_RGBA8; with bloom GL_RGBA16F, because light ends not at
 //   1)
 //           and the names in `reflection` (made, still empty).
 //   Do:     storage for `color` (linear filter, clamp to edge) and `depth`; attach both to

@@ -17,27 +17,28 @@ void expectEverything(const Submission& submission) {
   EXPECT_THAT(graded.lost(), IsEmpty());
 }
 
-const std::string kFboSize = "makeReflection(reflection, scene.integer(\"quality.mirror_size\"))";
+const std::string kFboSize = "makeReflection(reflection, scene.integer(\"quality.mirror_size\"),";
+const std::string kFboFormat = "\n                       bloom ? lightFormat(scene) : GL_RGBA8);";
 
 class FramebufferSize : public testing::TestWithParam<const char*> {};
 
 TEST_P(FramebufferSize, LosesNothing) {
   expectEverything(std::move(Submission::solution().replace(
-      "floor.cpp", kFboSize, std::string("makeReflection(reflection, ") + GetParam() + ")")));
+      "floor.cpp", kFboSize, std::string("makeReflection(reflection, ") + GetParam() + ",")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Alternative, FramebufferSize, testing::Values("2048", "512"));
 
 TEST(Alternative, DepthTextureInPlaceOfARenderbuffer) {
   Submission other = Submission::solution();
-  other.replace("floor.cpp", "  gg::Renderbuffer depth;\n", "  gg::Texture depth;\n");
-  other.replace("floor.cpp",
+  other.replace("mirror.hpp", "  gg::Renderbuffer depth;\n", "  gg::Texture depth;\n");
+  other.replace("mirror.hpp",
                 "  glBindRenderbuffer(GL_RENDERBUFFER, reflection.depth);\n"
                 "  glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, size, size);\n",
                 "  glBindTexture(GL_TEXTURE_2D, reflection.depth);\n"
                 "  glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT32F, size, size, 0,\n"
                 "               GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);\n");
-  other.replace("floor.cpp",
+  other.replace("mirror.hpp",
                 "  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, "
                 "reflection.depth);\n",
                 "  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,\n"
@@ -84,13 +85,12 @@ TEST(Alternative, TheModelMirroredInPlaceOfTheView) {
 
 TEST(Alternative, AFloatingPointTexture) {
   expectEverything(std::move(Submission::solution().replace(
-      "floor.cpp", "GL_RGBA8, size, size, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr",
-      "GL_RGBA16F, size, size, 0, GL_RGBA, GL_FLOAT, nullptr")));
+      "mirror.hpp", "0, format, size, size, 0,", "0, GL_RGBA16F, size, size, 0,")));
 }
 
 TEST(Alternative, DirectStateAccess) {
   Submission other = Submission::solution();
-  std::string text = read(other.path() / "floor.cpp");
+  std::string text = read(other.path() / "mirror.hpp");
   // Names that glCreate... makes are not gg's to own.
   for (const char* type : {"Texture color", "Renderbuffer depth", "Framebuffer framebuffer"}) {
     const std::string name = std::string(type).substr(std::string(type).find(' ') + 1);
@@ -101,7 +101,7 @@ TEST(Alternative, DirectStateAccess) {
       text.find("  glBindTexture(GL_TEXTURE_2D, reflection.color);\n  glTexImage2D");
   const std::size_t to = text.find("  // END SOLUTION(mirror.1)");
   ASSERT_NE(from, text.npos);
-  other.write("floor.cpp", text.substr(0, from) + R"(
+  other.write("mirror.hpp", text.substr(0, from) + R"(
   GLuint &color = reflection.color, &depth = reflection.depth;
   GLuint& framebuffer = reflection.framebuffer;
   glCreateTextures(GL_TEXTURE_2D, 1, &color);
@@ -122,19 +122,19 @@ TEST(Alternative, DirectStateAccess) {
 
 TEST(Alternative, AWindowSizedFramebufferSampledByTexel) {
   Submission other = Submission::solution();
-  other.replace("floor.cpp", "GLsizei size = 0; // pixels, width and height",
+  other.replace("mirror.hpp", "GLsizei size = 0; // pixels, width and height",
                 "GLsizei size = 0, width = 0, height = 0;");
   for (const auto& [from, to] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"void makeReflection(Reflection& reflection, GLsizei size) {\n  reflection.size = "
-            "size;\n",
-            "void makeReflection(Reflection& reflection, GLsizei width, GLsizei height) {\n"
+           {"GLsizei size, GLenum format) {\n  reflection.size = size;\n",
+            "GLsizei width, GLsizei height) {\n"
             "  reflection.size = reflection.width = width;\n  reflection.height = height;\n"},
-           {"GL_RGBA8, size, size,", "GL_RGBA8, width, height,"},
-           {"GL_DEPTH_COMPONENT24, size, size", "GL_DEPTH_COMPONENT24, width, height"},
-           {kFboSize, "makeReflection(reflection, window.width(), window.height())"},
-           {"glViewport(0, 0, reflection.size, reflection.size);",
-            "glViewport(0, 0, reflection.width, reflection.height);"}})
-    other.replace("floor.cpp", from, to);
+           {"format, size, size,", "GL_RGBA8, width, height,"},
+           {"GL_DEPTH_COMPONENT24, size, size", "GL_DEPTH_COMPONENT24, width, height"}})
+    other.replace("mirror.hpp", from, to);
+  other.replace("floor.cpp", kFboSize + kFboFormat,
+                "makeReflection(reflection, window.width(), window.height());");
+  other.replace("floor.cpp", "glViewport(0, 0, reflection.size, reflection.size);",
+                "glViewport(0, 0, reflection.width, reflection.height);");
   other.replace("tile.frag", "    reflected = texture(uReflection, at).rgb;\n",
                 "    reflected = texelFetch(uReflection, ivec2(gl_FragCoord.xy), 0).rgb;\n");
   expectEverything(other);
@@ -155,8 +155,8 @@ TEST(Alternative, ObjectsAndFloorInTheOtherOrder) {
 
 TEST(Alternative, TheFramebufferMadeAnewEachFrame) {
   Submission other = Submission::solution();
-  other.replace("floor.cpp", "      if (reflection.size == 0) " + kFboSize + ";\n",
-                "      reflection = Reflection();\n      " + kFboSize + ";\n");
+  other.replace("floor.cpp", "      if (reflection.size == 0)\n        makeReflection",
+                "      reflection = Reflection();\n        makeReflection");
   expectEverything(other);
 }
 

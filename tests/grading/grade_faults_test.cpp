@@ -18,8 +18,8 @@ TEST(Fault, LightNotMirrored) {
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_EQ(graded.earned("mirror.shading"), 0);
   // Where the reflection is and whose it is stays right.
-  EXPECT_EQ(graded.earned("mirror.where"), 25);
-  EXPECT_EQ(graded.earned("mirror.position"), 20);
+  EXPECT_EQ(graded.earned("mirror.where"), 20);
+  EXPECT_EQ(graded.earned("mirror.position"), 15);
   EXPECT_EQ(graded.earned("mirror.keep_picture"), 0);
   EXPECT_THAT(graded.message("mirror.shading"), HasSubstr("pixels differ, densest at ("));
   EXPECT_GE(graded.score(), 50);
@@ -30,7 +30,7 @@ TEST(Fault, NoDepthAttachment) {
   const Graded graded = grade(Submission::example("no_depth"));
   EXPECT_EQ(graded.outcome(), "graded"); // complete without depth: no GL error
   EXPECT_EQ(graded.earned("mirror.hidden"), 0);
-  EXPECT_EQ(graded.earned("mirror.where"), 25);
+  EXPECT_EQ(graded.earned("mirror.where"), 20);
   EXPECT_THAT(graded.message("mirror.hidden"), HasSubstr("another object than the nearest"));
   EXPECT_GE(graded.score(), 50);
   EXPECT_LT(graded.score(), 90);
@@ -84,7 +84,9 @@ TEST(Fault, ClipDistanceLeftEnabled) {
 
 TEST(Fault, ViewportKeptFromTheMirrorPass) {
   const Graded graded = grade(std::move(Submission::solution().replace(
-      "floor.cpp", "      glViewport(0, 0, window.width(), window.height());\n", "")));
+      "floor.cpp",
+      "      glViewport(0, 0, window.width(), window.height());\n      // END SOLUTION(mirror.2)",
+      "      // END SOLUTION(mirror.2)")));
   EXPECT_LT(graded.earned("mirror.keep_picture"), 0);
   EXPECT_LT(graded.score(), 30);
 }
@@ -111,8 +113,8 @@ TEST(Fault, NormalsNotNegated) {
   const Graded graded = grade(
       std::move(Submission::solution().replace("mirror.vert", "  vNormal = -vNormal;\n", "")));
   EXPECT_EQ(graded.earned("mirror.shading"), 0);
-  EXPECT_EQ(graded.earned("mirror.where"), 25);
-  EXPECT_EQ(graded.earned("mirror.position"), 20);
+  EXPECT_EQ(graded.earned("mirror.where"), 20);
+  EXPECT_EQ(graded.earned("mirror.position"), 15);
   EXPECT_LT(graded.score(), 76);
 }
 
@@ -147,7 +149,7 @@ TEST(Fault, AFilterJudgesTheNamedItemsOnly) {
   const Graded graded =
       grade(Submission::example("no_depth"), {"--", "--gtest_filter=mirror.where"});
   EXPECT_EQ(graded.ended.exitCode, 0);
-  EXPECT_EQ(graded.score(), 25);
+  EXPECT_EQ(graded.score(), 20);
   for (const auto& item : graded.results.at("extra_data").at("items"))
     EXPECT_EQ(item.at("judged"), item.at("id") == "mirror.where");
 }

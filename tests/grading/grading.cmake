@@ -4,6 +4,10 @@ target_link_libraries(grading_tool PUBLIC ggrade_grading ggrade_authoring ggrade
 target_compile_definitions(grading_tool PUBLIC GGRADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   GGRADE_BUILD_DIR="${CMAKE_BINARY_DIR}")
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/grade_*_test.cpp)
+# The judge's own filters, to compose a frame from its passes.
+foreach(part common passes pyramid)
+  list(APPEND sources ${PROJECT_SOURCE_DIR}/solutions/floor/rubric_${part}.cpp)
+endforeach()
 ggrade_test(grading_test grading SOURCES ${sources} LIBRARIES grading_tool TIMEOUT 300)
 add_dependencies(grading_test ggrade_tool ggrade_compare floor floor_solution)
 ggrade_test(window_test gl SOURCES ${CMAKE_CURRENT_LIST_DIR}/window_test.cpp

@@ -147,10 +147,10 @@ Submission Submission::example(const std::string& name) {
   return made;
 }
 
-Submission Submission::firstSteps(int count) {
+Submission Submission::firstSteps(int count, const std::string& part) {
   Submission made;
   const Ended ended =
-      runTool({"derive", "mirror", "--done", std::to_string(count), "--out", made.path()});
+      runTool({"derive", part, "--done", std::to_string(count), "--out", made.path()});
   if (ended.exitCode != 0) throw std::runtime_error(ended.errors);
   return made;
 }
@@ -222,9 +222,10 @@ std::string Graded::text() const {
   return out.str();
 }
 
-Graded grade(const fs::path& folder, const Arguments& more, const Environment& environment) {
+Graded gradePart(const std::string& part, const fs::path& folder, const Arguments& more,
+                 const Environment& environment) {
   const TemporaryFolder results;
-  Arguments arguments = {"grade", "mirror", folder, "--out", results.path() / "out"};
+  Arguments arguments = {"grade", part, folder, "--out", results.path() / "out"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   Graded graded{runTool(arguments, environment), {}};
   EXPECT_FALSE(graded.ended.late);
@@ -233,6 +234,14 @@ Graded grade(const fs::path& folder, const Arguments& more, const Environment& e
   graded.results = nlohmann::json::parse(read(file));
   std::cout << graded.text() << '\n'; // what the log of a failure needs
   return graded;
+}
+
+Graded gradePart(const std::string& part, const Submission& submission) {
+  return gradePart(part, submission.path());
+}
+
+Graded grade(const fs::path& folder, const Arguments& more, const Environment& environment) {
+  return gradePart("mirror", folder, more, environment);
 }
 
 Graded grade(const Submission& submission, const Arguments& more, const Environment& environment) {

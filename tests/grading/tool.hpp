@@ -74,8 +74,8 @@ public:
   static Submission stub();
   /// The solution with `solutions/floor/examples/<name>.patch`.
   static Submission example(const std::string& name);
-  /// With the first `count` TODOs of the mirror filled in.
-  static Submission firstSteps(int count);
+  /// With the first `count` TODOs of a part filled in.
+  static Submission firstSteps(int count, const std::string& part = "mirror");
   /// Only floor.cpp, with this text.
   static Submission program(const std::string& text);
 
@@ -111,6 +111,11 @@ Graded grade(const Submission& submission, const Arguments& more = {},
              const Environment& environment = {});
 Graded grade(const fs::path& folder, const Arguments& more = {},
              const Environment& environment = {});
+
+/// Grades for another part, or for "floor": all parts.
+Graded gradePart(const std::string& part, const fs::path& folder, const Arguments& more = {},
+                 const Environment& environment = {});
+Graded gradePart(const std::string& part, const Submission& submission);
 
 /// A whole file as text; fails the test where there is none.
 std::string read(const fs::path& file);
