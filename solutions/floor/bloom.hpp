@@ -118,8 +118,7 @@ inline void drawScreen(const Bloom& bloom) {
 
 // TODO(bloom.3), too: the bright pass, from the scene into level 0.
 //   Do:     bind the level's framebuffer, set viewport and uSize (a glm::vec2) to its size; bind
-//   the
-//           scene's colour texture to unit 0; draw with drawScreen(). Then bright.frag.
+//           the scene's colour texture to unit 0; draw with drawScreen(). Then bright.frag.
 //   Expect: the picture doesn't change yet; `./ggrade inspect bloom` shows the pass.
 //                                                                       (bloom.md, step 3)
 inline void brightPass(const Bloom& bloom, float threshold) {
