@@ -198,8 +198,9 @@ trace::Request gradingRequest() {
   request.copies = ((1U << trace::kColors) - 1) | 1U << trace::kDepth;
   request.windowCopies = 1;
   request.copyFrames = 1;
-  // What doesn't fit is left out and counted; the room costs nothing until it is used.
-  request.copyBytes = std::uint64_t{512} << 20;
+  // What doesn't fit is left out and counted. Ten times what the largest reference needs, and yet
+  // too little for a hostile program to fill a disk with.
+  request.copyBytes = std::uint64_t{256} << 20;
   return request;
 }
 
