@@ -68,8 +68,8 @@ void installDebugCallback(ContextState& state);
 /// other names.
 bool debugInteger(const DebugState& debug, GLenum name, GLint& value);
 
-/// Collects an error that no debug message told of, and keeps it for the program. The context must
-/// be current.
-void collectError(ContextState& state);
+/// Collects an error that no debug message told of, and keeps it for the program. Returns the error
+/// that GL held. The context must be current.
+GLenum collectError(ContextState& state);
 
 } // namespace ggrade::capture

@@ -66,9 +66,10 @@ std::span<const Hook> errorHooks() {
   return kHooks;
 }
 
-void collectError(ContextState& state) {
+GLenum collectError(ContextState& state) {
   const GLenum error = takeError(state);
   if (state.errors.kept == GL_NO_ERROR) state.errors.kept = error;
+  return error;
 }
 
 } // namespace ggrade::capture

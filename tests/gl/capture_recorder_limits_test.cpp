@@ -124,6 +124,10 @@ TEST(CaptureHostile, NonsenseIsNotRecordedAsIfItHadWorked) {
   EXPECT_THAT(texts(capture, MessageKind::capture), testing::IsEmpty());
   ASSERT_FALSE(capture.trace.passes.empty());
   EXPECT_EQ(capture.trace.passes[0].cleared, 0U);
+  for (const trace::PassRecord& pass : capture.trace.passes) {
+    if (pass.kind == static_cast<std::uint32_t>(trace::PassKind::blit))
+      EXPECT_EQ(pass.written, 0U) << "GL refused it";
+  }
   EXPECT_EQ(samplesOf(capture.trace, 0),
             std::vector<std::string>{"uTexture unit 79: nothing, incomplete"});
 }

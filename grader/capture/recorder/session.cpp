@@ -33,7 +33,7 @@ Session::Session() : shared_(sharedState()), state_(currentState()), lock_(share
   // In a display list nothing is drawn yet, and some of our calls would become part of it.
   if (context.compatible && integer(GL_LIST_INDEX) != 0) return;
   context_ = &context;
-  collectError(*state_);
+  failed_ = collectError(*state_) != GL_NO_ERROR;
   state_->quiet = true;
 }
 

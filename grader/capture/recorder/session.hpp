@@ -88,6 +88,8 @@ public:
 
   explicit operator bool() const { return context_ != nullptr; }
   Context& context() const { return *context_; }
+  /// GL has refused a call since the session before.
+  bool failed() const { return failed_; }
   Shared& shared() const { return shared_; }
   ContextState& state() const { return *state_; }
   /// Ends the frame: which passes began in it. Also when there is nothing to record now.
@@ -99,6 +101,7 @@ private:
   Shared& shared_;
   ContextState* state_;
   Context* context_ = nullptr;
+  bool failed_ = false;
   std::unique_lock<std::mutex> lock_;
 };
 

@@ -242,6 +242,10 @@ void ended() {
   default:
     break;
   }
+  if (session.failed()) {
+    pass.record.written = 0;
+    pass.otherWrites.clear();
+  }
   endPass(session);
 }
 
