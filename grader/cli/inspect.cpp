@@ -81,9 +81,10 @@ report::InspectedFrame frameOf(const Options& options, grading::Rendering render
   }
   frame.renderer = capture.glRenderer;
   if (!rendering.happened.ok()) frame.problem = rendering.happened.detail;
+  const auto frames = std::uint32_t(std::max<std::size_t>(1, capture.frames.size()));
   for (const channel::CapturedMessage& message : capture.messages)
-    if (message.kind != channel::MessageKind::capture)
-      frame.messages.push_back({message.text, message.count, message.pass});
+    if (message.kind != channel::MessageKind::capture) // counted over both frames
+      frame.messages.push_back({message.text, (message.count + frames - 1) / frames, message.pass});
   frame.messagesLost = capture.messagesLost;
   return frame;
 }

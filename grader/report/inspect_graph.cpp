@@ -78,4 +78,14 @@ bool FrameGraph::isDrawnOver(std::uint32_t pass) const {
   return std::ranges::any_of(trace_.passes[pass].images, goesOn);
 }
 
+std::uint32_t FrameGraph::writerBefore(std::uint32_t pass, std::uint32_t attachment) const {
+  const ImageRef& image = trace_.passes[pass].images[attachment];
+  for (std::uint32_t earlier = pass; earlier-- > first_;)
+    for (std::uint32_t i = 0; i < kAttachments; ++i)
+      if ((trace_.passes[earlier].written >> i & 1) &&
+          sameImage(trace_.passes[earlier].images[i], image))
+        return earlier;
+  return kNone;
+}
+
 } // namespace ggrade::report

@@ -38,6 +38,9 @@ public:
   /// Is the next pass that draws with one of its images one that doesn't clear it first?
   bool isDrawnOver(std::uint32_t pass) const;
 
+  /// The pass of this frame that wrote this attachment of `pass` last before it; kNone: none did.
+  std::uint32_t writerBefore(std::uint32_t pass, std::uint32_t attachment) const;
+
 private:
   const trace::Trace& trace_;
   std::uint32_t first_ = 0, count_ = 0;

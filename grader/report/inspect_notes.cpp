@@ -81,11 +81,15 @@ void noteTextures(const FrameGraph& graph, const StepRecord& step, Notes& notes)
       notes.fact(fmt::format("{}(unit {}): no texture is bound there. A shader that reads it gets "
                              "black.",
                              name, sample.unit));
+    else if (sample.incomplete && sample.image.width == 0)
+      notes.fact(fmt::format("{}(unit {}): the texture that is bound there has no image. A shader "
+                             "that reads it gets black.",
+                             name, sample.unit));
     else if (sample.incomplete)
-      notes.wrong(fmt::format("{}(unit {}): the texture is incomplete, so that sampling it gives "
-                              "black. Mostly GL_TEXTURE_MIN_FILTER asks for mipmaps that aren't "
-                              "there.",
-                              name, sample.unit));
+      notes.odd(fmt::format("{}(unit {}): the texture is incomplete: a shader that reads it gets "
+                            "black. Mostly GL_TEXTURE_MIN_FILTER asks for mipmaps that aren't "
+                            "there.",
+                            name, sample.unit));
     if (sample.feedback)
       notes.wrong(fmt::format("{}(unit {}): the texture is read and drawn into in the same pass (a "
                               "feedback loop), which OpenGL leaves undefined.",

@@ -43,6 +43,7 @@ Data times(const FilmParts& parts) {
     bar["to"] = Data(std::to_string(i + 1));
     bar["grow"] = Data(fmt::format("{:.4f}", pass.seconds * 1e3));
     bar["share"] = Data(fmt::format("{:.0f}%", 100 * pass.seconds / parts.totalSeconds()));
+    bar["wide"] = Data(pass.seconds > 0.03 * parts.totalSeconds());
     bar["milliseconds"] = Data(fmt::format("{:.2f}", pass.seconds * 1e3));
     list.push_back(bar);
   }

@@ -5,6 +5,8 @@
 #include <GL/glcorearb.h>
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ggrade::report {
 
 using namespace trace;
@@ -24,7 +26,8 @@ std::string clearedTo(const PassRecord& pass, std::uint32_t attachment) {
                      shortest(c[3]));
 }
 
-Data attachmentsOf(const PassRecord& pass) {
+Data attachmentsOf(const FrameGraph& graph, std::uint32_t index) {
+  const PassRecord& pass = graph.pass(index);
   Data list = makeList();
   for (std::uint32_t i = 0; i < kAttachments; ++i) {
     if (!isThere(pass.images[i])) continue;
@@ -34,10 +37,14 @@ Data attachmentsOf(const PassRecord& pass) {
     row["size"] = Data(sizeWords(pass.images[i]));
     row["format"] = pass.images[i].format ? Data(glName(pass.images[i].format)) : Data(false);
     row["cleared"] = line(clearedTo(pass, i));
-    const bool isColour = i < kColors;
-    std::string use = pass.written >> i & 1 ? "written" : "unchanged";
-    if (isColour && !(pass.drawBuffers >> i & 1)) use = "no draw buffer";
-    row["use"] = Data(use);
+    const std::uint32_t before = pass.cleared >> i & 1 ? kNone : graph.writerBefore(index, i);
+    row["holds"] = before == kNone
+                       ? Data(false)
+                       : passLink(graph, before, fmt::format("pass {}'s", graph.number(before)));
+    const bool isOff = i < kColors && !(pass.drawBuffers >> i & 1);
+    row["use"] = isOff                   ? Data(std::string("no draw buffer"))
+                 : pass.written >> i & 1 ? Data(false)
+                                         : Data(std::string("unchanged"));
     list.push_back(row);
   }
   return list;
@@ -163,7 +170,8 @@ Data passOf(const FilmParts& parts, std::uint32_t index) {
       Data(fmt::format("{}, {} vertices", counted(pass.draws, "draw"), grouped(pass.vertices)));
   data["milliseconds"] =
       pass.seconds > 0 ? Data(fmt::format("{:.2f} ms", pass.seconds * 1e3)) : Data(false);
-  data["attachments"] = attachmentsOf(pass);
+  data["hasAttachments"] = Data(std::ranges::any_of(pass.images, isThere));
+  data["attachments"] = attachmentsOf(graph, index);
 
   Data reads = makeList(), readers = makeList();
   for (const PassRead& read : graph.readsOf(index))

@@ -90,7 +90,9 @@ PagePixelsOfFrame pagePixels(const FrameGraph& graph, const std::vector<std::uin
   PagePixelsOfFrame result;
   std::vector<const CopyRecord*> copies;
   for (const CopyRecord& copy : trace.copies)
-    if (graph.holds(copy.pass)) copies.push_back(&copy);
+    if (graph.holds(copy.pass) &&
+        (copy.step == kNone || graph.pass(copy.pass).stepCount > 1)) // the only step is the pass
+      copies.push_back(&copy);
   std::ranges::stable_sort(copies, {}, [](const CopyRecord* copy) {
     return std::pair(copy->step != kNone, copy->pass);
   });

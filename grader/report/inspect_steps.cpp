@@ -38,15 +38,17 @@ Data textureOf(const FrameGraph& graph, const SampleRecord& sample) {
   row["uniform"] = line(sample.uniform);
   row["unit"] = Data(std::to_string(sample.unit));
   const bool bound = sample.image.kind != std::uint32_t(ImageKind::none);
+  const bool hasImage = bound && sample.image.width > 0;
   row["texture"] = Data(bound ? imageWords(sample.image) : "nothing bound: reads black");
-  row["size"] =
-      bound ? Data(sizeWords(sample.image) + " " + glName(sample.image.format)) : Data(false);
-  row["sampler"] = bound && sample.magFilter ? Data(samplerWords(sample)) : Data(false);
-  row["incomplete"] = Data(bound && sample.incomplete != 0);
+  row["size"] = bound && !hasImage ? Data(std::string("no image: reads black"))
+                : bound ? Data(sizeWords(sample.image) + " " + glName(sample.image.format))
+                        : Data(false);
+  row["sampler"] = hasImage && sample.magFilter ? Data(samplerWords(sample)) : Data(false);
+  row["incomplete"] = Data(hasImage && sample.incomplete != 0);
   row["feedback"] = Data(sample.feedback != 0);
   row["writer"] = Data(false);
   row["earlier"] = Data(sample.writer < graph.first());
-  row["uploaded"] = Data(sample.writer == kNone && bound);
+  row["uploaded"] = Data(sample.writer == kNone && hasImage);
   if (sample.writer != kNone && graph.holds(sample.writer)) {
     std::uint32_t attachment = kNone;
     for (const PassRead& read : graph.readersOf(sample.writer))

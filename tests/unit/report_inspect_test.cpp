@@ -151,6 +151,9 @@ TEST(InspectNotes, NameTexturesThatReadBlackOrAreDrawnIntoAtTheSameTime) {
   EXPECT_THAT(notesOf(frame, 2),
               testing::ElementsAre(HasSubstr("uReflection (unit 1): the texture is incomplete"),
                                    HasSubstr("a feedback loop")));
+  frame.trace.samples[0].feedback = 0;
+  frame.trace.samples[0].image.width = 0;
+  EXPECT_THAT(notesOf(frame, 2), testing::ElementsAre(HasSubstr("has no image")));
   frame.trace.samples[0] = {};
   frame.trace.samples[0].writer = kNone;
   EXPECT_THAT(notesOf(frame, 2), testing::ElementsAre(HasSubstr("no texture is bound")));
@@ -226,6 +229,33 @@ TEST(InspectPage, HasEveryPassWithItsPicturesStateAndLinks) {
                               "class=\"soft\">(was LESS)</span>"));
   EXPECT_EQ(occurrences(page, "<script type=\"application/octet-stream\""), 3u);
   EXPECT_EQ(occurrences(page, "data:image/png"), 3u + 2u) << "three pictures, two of them on cards";
+}
+
+TEST(InspectPage, AnAttachmentThatIsNotClearedNamesThePassWhoseValuesItHolds) {
+  InspectedFrame frame = samples::frame();
+  frame.trace.passes[1].images[0] = frame.trace.passes[0].images[0];
+  frame.trace.passes[1].cleared = 0;
+  EXPECT_THAT(inspectPage(frame), HasSubstr("not cleared: holds <a href=\"#pass-1\" data-to=\"1\">"
+                                            "pass 1&apos;s</a>"));
+}
+
+TEST(InspectPage, FourThousandPassesTakeSeconds) {
+  InspectedFrame frame = samples::frame();
+  Trace& trace = frame.trace;
+  const ImageRef images[] = {samples::image(ImageKind::texture, 1, GL_RGBA8, 4, 4),
+                             samples::image(ImageKind::texture, 2, GL_RGBA8, 4, 4)};
+  while (trace.passes.size() < kMaxPasses) {
+    const auto index = std::uint32_t(trace.passes.size());
+    trace.passes.push_back(samples::pass(3, 4, 4));
+    trace.passes.back().images[0] = images[index % 2];
+    samples::addStep(trace, 1);
+    samples::addSample(trace, "uSource", images[1 - index % 2], index - 1);
+    samples::addSample(trace, "uFirst", images[1 - index % 2], 0);
+  }
+  trace.frames[0].passCount = kMaxPasses;
+  const std::string page = inspectPage(frame);
+  EXPECT_EQ(occurrences(page, "<section class=\"pass card\""), kMaxPasses);
+  EXPECT_LT(page.size(), 32'000'000u);
 }
 
 TEST(InspectPage, AMatrixIsATableOfItsRows) {

@@ -201,6 +201,7 @@
       const limit = [picture.width, picture.height];
       at = (at || limit.map((n) => n >> 1)).map((v, i) => Math.min(limit[i] - 1, Math.max(0, v + step[i])));
       read();
+      mark.scrollIntoView({ block: "nearest", inline: "nearest" });
     });
     for (const input of element.querySelectorAll("input")) input.addEventListener("input", paint);
     find(".reset").addEventListener("click", reset);
