@@ -81,8 +81,7 @@ inline void drawScreen(const Bloom& bloom) {
 }
 
 // TODO(bloom.3), too: the bright pass, from the scene into level 0.
-//   Do:     bind the level's framebuffer, set the viewport and uSize (a glm::vec2) to its size;
-//   bind
+//   Do:     bind the level's framebuffer, set viewport and uSize (a glm::vec2) to its size; bind
 //           the scene's colour texture to unit 0; draw with drawScreen(). Then bright.frag.
 //   Expect: the picture doesn't change yet; `./ggrade inspect bloom` shows the pass.
 //                                                                       (bloom.md, step 3)
@@ -114,9 +113,8 @@ inline void upPasses(const Bloom& bloom, int filter) {
 
 // TODO(bloom.2): the composite: the scene, from its framebuffer object to the window.
 //   Given:  `window`, the size of the window; `glows`: is there bloom to add?
-//   Do:     bind the window (0), set the viewport to its size; bind the scene's colour texture to
-//   unit
-//           0; draw with drawScreen().
+//   Do:     bind the window (0), set the viewport to its size; bind the scene's colour texture
+//           to unit 0; draw with drawScreen().
 //   Expect: the same scene, in brighter tones: composite.frag encodes it for the display.
 //                                                                       (bloom.md, step 2)
 // TODO(bloom.6): before you draw, bind level 0, which now holds the sum, to unit 1, with

@@ -202,14 +202,14 @@ void app(const gg::Scene& scene) {
       const int filter = scene.integer("quality.bloom_filter");
       glDisable(GL_DEPTH_TEST);
       glActiveTexture(GL_TEXTURE0);
-      glBindSampler(0, bloom->sampler);
       if (glows) {
+        glBindSampler(0, bloom->sampler);
         brightPass(*bloom, scene.real("bloom.threshold"));
         downPasses(*bloom, filter);
         upPasses(*bloom, filter);
+        glBindSampler(0, 0);
       }
       compositePass(*bloom, {window.width(), window.height()}, glows, filter);
-      glBindSampler(0, 0);
       glEnable(GL_DEPTH_TEST);
     }
 

@@ -31,8 +31,7 @@ struct LightCamera {
 //   Given:  `light`, the light's position, and `corners`, the corners of a box around the objects
 //           (corner 0 is opposite to corner 7); both in world space.
 //   Do:     a view (glm::lookAt) from the light to the box's middle, and a projection whose field
-//   of
-//           view, near and far planes just enclose the corners in that view.
+//           of view, near and far planes just enclose the corners in that view.
 //   Expect: the picture doesn't change yet.                             (shadow.md, step 2)
 inline LightCamera lightCamera(const glm::vec3& light, const std::array<glm::vec3, 8>& corners) {
   LightCamera camera;

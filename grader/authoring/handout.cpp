@@ -1,9 +1,8 @@
 #include "authoring/handout.hpp"
 
-#include "assignment/assignment.hpp"
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 
@@ -33,30 +32,62 @@ std::string excerpt(const std::string& code, const std::string& anchor) {
   return found;
 }
 
+std::string fenced(const std::string& file, const std::string& code) {
+  const bool glsl = file.ends_with(".vert") || file.ends_with(".frag") || file.ends_with(".glsl");
+  return fmt::format("```{}\n{}```\n", glsl ? "glsl" : "cpp", code);
+}
+
+/// A row an item: points, what must be so, the step to read.
+std::string pointsTable(const Part& part) {
+  std::string table = "| points | what | step |\n| ---: | --- | --- |\n";
+  for (const ItemDeclaration& item : part.items) {
+    const bool keep = item.kind == report::ItemKind::keep;
+    const bool bonus = item.kind == report::ItemKind::bonus;
+    table += fmt::format("| {}{} | {}{} | {} |\n",
+                         keep    ? "−"
+                         : bonus ? "+"
+                                 : "",
+                         item.points, item.title,
+                         bonus                ? " (bonus)"
+                         : item.beyondLecture ? " (beyond the lecture)"
+                                              : "",
+                         item.step.substr(item.step.find('.') + 1));
+  }
+  return table;
+}
+
 } // namespace
 
-std::string expandExcerpts(const std::string& text, const std::string& name,
-                           const std::function<std::string(const std::string&)>& stub) {
-  static const std::regex kDirective("\\{\\{excerpt ([A-Za-z0-9_.]+) \"([^\"]+)\"\\}\\}\\s*");
+std::string expandHandout(const std::string& text, const std::string& name,
+                          const Assignment& assignment,
+                          const std::function<std::string(const std::string&)>& stub) {
+  static const std::regex kExcerpt("\\{\\{excerpt ([A-Za-z0-9_.]+) \"([^\"]+)\"\\}\\}\\s*");
+  static const std::regex kPoints("\\{\\{points ([a-z0-9_]+)\\}\\}\\s*");
   std::istringstream in(text);
   std::string out;
   std::size_t number = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
+    const auto problem = [&](const std::string& what) {
+      return UsageError(fmt::format("{}:{}: {}", name, number, what));
+    };
     std::smatch match;
-    if (!std::regex_match(line, match, kDirective)) {
-      if (line.find("{{") != line.npos)
-        throw UsageError(
-            fmt::format("{}:{}: {} is not {{{{excerpt FILE \"ANCHOR\"}}}}", name, number, line));
+    if (std::regex_match(line, match, kExcerpt)) {
+      const std::string file = match[1], anchor = match[2];
+      const std::string code = excerpt(stub(file), anchor);
+      if (code.empty()) throw problem(fmt::format("{} has no line with \"{}\"", file, anchor));
+      out += fenced(file, code);
+    } else if (std::regex_match(line, match, kPoints)) {
+      const auto part = std::find_if(assignment.parts.begin(), assignment.parts.end(),
+                                     [&](const Part& p) { return p.id == match[1]; });
+      if (part == assignment.parts.end())
+        throw problem(fmt::format("{} has no part {}", assignment.id, match[1].str()));
+      out += pointsTable(*part);
+    } else if (line.find("{{") != line.npos) {
+      throw problem(line + " is neither {{excerpt FILE \"ANCHOR\"}} nor {{points PART}}");
+    } else {
       out += line + '\n';
-      continue;
     }
-    const std::string code = excerpt(stub(match[1]), match[2]);
-    if (code.empty())
-      throw UsageError(fmt::format("{}:{}: {} has no line with \"{}\"", name, number,
-                                   match[1].str(), match[2].str()));
-    const std::string file = match[1];
-    out += fmt::format("```{}\n{}```\n", file.ends_with(".cpp") ? "cpp" : "glsl", code);
   }
   return out;
 }

@@ -1,18 +1,22 @@
 #pragma once
 /// \file
-/// Handouts: prose with code taken from the stub, so that no handout shows code that isn't there.
+/// Handouts: prose with code taken from the stub and points taken from assignment.json, so that no
+/// handout shows what isn't so.
 
-#include <filesystem>
+#include "assignment/assignment.hpp"
+
 #include <functional>
 #include <string>
 
 namespace ggrade::authoring {
 
-/// Replaces every line `{{excerpt FILE "ANCHOR"}}` of `text` by a fenced code block: the lines of
-/// `stub(FILE)` from the first one that contains ANCHOR to the end of what begins there (the line
-/// that closes its braces, or the line itself). Throws UsageError as `name:line: ...` when the file
-/// or the anchor isn't there.
-std::string expandExcerpts(const std::string& text, const std::string& name,
-                           const std::function<std::string(const std::string& file)>& stub);
+/// Replaces directives, each alone on its line. `{{excerpt FILE "ANCHOR"}}` becomes a fenced code
+/// block: the lines of `stub(FILE)` from the first one that contains ANCHOR to the end of what
+/// begins there (the line that closes its braces, or the line itself). `{{points PART}}` becomes a
+/// table of the part's rubric items. Throws UsageError as `name:line: ...` when the file, the
+/// anchor or the part isn't there.
+std::string expandHandout(const std::string& text, const std::string& name,
+                          const Assignment& assignment,
+                          const std::function<std::string(const std::string& file)>& stub);
 
 } // namespace ggrade::authoring

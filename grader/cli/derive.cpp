@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 
 #include "authoring/handout.hpp"
+#include "authoring/pass_picture.hpp"
 #include "authoring/solution_blocks.hpp"
 #include "cli/terminal.hpp"
 #include "grading/program.hpp"
@@ -41,32 +42,89 @@ void writeSources(const Assignment& assignment, const fs::path& solutions,
   }
 }
 
-/// The window after each step of each part, as PNG files named `part-k.png`.
+/// What the program with these TODOs filled in draws of a scene. `name` is the picture's.
+channel::Capture draw(const Assignment& assignment, const fs::path& solutions,
+                      const std::set<std::string>& filled, const json& scene,
+                      const std::vector<double>& times, const std::string& name) {
+  grading::TemporaryFolder work;
+  writeSources(assignment, solutions, filled, work.path());
+  for (const char* file : {"assignment.json", "scene.json"})
+    fs::copy_file(assignment.folder / file, work.path() / file);
+  const grading::Happened built =
+      grading::buildProgram(assignment.id, work.path(), sandbox::Isolation::none);
+  if (!built.ok()) throw UsageError(fmt::format("{} doesn't build:\n{}", name, built.output));
+  grading::Rendering rendering =
+      grading::renderScene(assignment.id, work.path(), scene, times, {}, sandbox::Isolation::none,
+                           grading::gradingRequest());
+  if (rendering.happened.outcome != report::Outcome::graded)
+    throw UsageError(fmt::format("{} doesn't render: {}\n{}", name, rendering.happened.detail,
+                                 rendering.happened.output));
+  return std::move(rendering.capture);
+}
+
+Image window(const channel::Capture& capture) {
+  return rubric::toImage(grading::rawFrames(capture).at(0));
+}
+
+/// The window after each step of each part, as `part-k.png`; where handout.json names a pass for a
+/// step, what it drew as `part-k-pass.png`; and further pictures by their names there.
 void writePictures(const Assignment& assignment, const fs::path& solutions, const fs::path& into) {
-  const json settings = readJson(solutions / "handout.json");
+  const fs::path file = solutions / "handout.json";
+  const json settings = readJson(file);
+  const auto times = settings.at("times").get<std::vector<double>>();
+  const json passes = settings.value("passes", json::object());
   Progress progress("handout pictures of " + assignment.id);
   for (const Part& part : assignment.parts) {
     for (std::size_t k = 0; k <= part.todos.size(); ++k) {
       progress(part.id, k, part.todos.size());
-      grading::TemporaryFolder work;
-      writeSources(assignment, solutions, firstTodos(part, int(k)), work.path());
-      for (const char* name : {"assignment.json", "scene.json"})
-        fs::copy_file(assignment.folder / name, work.path() / name);
-      const grading::Happened built =
-          grading::buildProgram(assignment.id, work.path(), sandbox::Isolation::none);
-      if (!built.ok())
-        throw UsageError(fmt::format("step {} of {} doesn't build:\n{}", k, part.id, built.output));
-      const json scene = grading::handoutScene(assignment, part, settings, k);
-      const grading::Rendering rendering = grading::renderScene(
-          assignment.id, work.path(), scene, settings.at("times").get<std::vector<double>>(), {},
-          sandbox::Isolation::none);
-      if (!rendering.happened.ok())
-        throw UsageError(fmt::format("step {} of {} doesn't render: {}\n{}", k, part.id,
-                                     rendering.happened.detail, rendering.happened.output));
-      writePng(into / fmt::format("{}-{}.png", part.id, k),
-               rubric::toImage(grading::rawFrames(rendering.capture).at(0)));
+      const std::string name = fmt::format("{}-{}", part.id, k);
+      const channel::Capture capture =
+          draw(assignment, solutions, firstTodos(part, int(k)),
+               grading::handoutScene(assignment, part, settings, k), times, name);
+      writePng(into / (name + ".png"), window(capture));
+      const std::string step = k > 0 ? part.todos[k - 1].id : "";
+      if (passes.contains(step))
+        writePng(into / (name + "-pass.png"),
+                 authoring::passPicture(capture.trace, passes.at(step),
+                                        fmt::format("{}: passes: {}", file.string(), step)));
     }
   }
+  const json pictures = settings.value("pictures", json::object());
+  for (const auto& [name, picture] : pictures.items()) {
+    progress(name, 0, 1);
+    std::set<std::string> filled;
+    std::vector<std::string> parts;
+    for (const json& done : picture.at("done")) {
+      // "shadow.5": the first five TODOs of that part.
+      const std::string id = done.get<std::string>().substr(0, done.get<std::string>().find('.'));
+      const Target target = findTarget(assignment.folder.parent_path(), id);
+      parts.push_back(id);
+      for (const Todo& todo : target.parts.at(0).todos) {
+        filled.insert(todo.id);
+        if (todo.id == done) break;
+      }
+    }
+    json scene = grading::partScene(assignment, parts);
+    scene.merge_patch(settings.value("scene", json::object()));
+    scene.merge_patch(picture.value("scene", json::object()));
+    writePng(into / (name + ".png"),
+             window(draw(assignment, solutions, filled, scene, times, name)));
+  }
+}
+
+/// README.md from the solution's handout.md, and PART.md from its PART.md.
+void writeTexts(const Assignment& assignment, const fs::path& solutions, const fs::path& into) {
+  const auto stub = [&](const std::string& file) {
+    return authoring::withFilled(readFile(solutions / file), file, {});
+  };
+  const auto write = [&](const fs::path& from, const fs::path& to) {
+    report::writeFile(to,
+                      authoring::expandHandout(readFile(from), from.string(), assignment, stub));
+  };
+  write(solutions / "handout.md", into / "README.md");
+  for (const Part& part : assignment.parts)
+    if (const std::string name = part.id + ".md"; fs::exists(solutions / name))
+      write(solutions / name, into / name);
 }
 
 void derive(const Options& options) {
@@ -90,12 +148,7 @@ void derive(const Options& options) {
   report::makeFolder(into / "handout");
   writeSources(assignment, solutions, {}, into);
   if (fs::exists(solutions / "handout.md")) {
-    const auto stub = [&](const std::string& file) {
-      return authoring::withFilled(readFile(solutions / file), file, {});
-    };
-    report::writeFile(into / "README.md",
-                      authoring::expandExcerpts(readFile(solutions / "handout.md"),
-                                                (solutions / "handout.md").string(), stub));
+    writeTexts(assignment, solutions, into);
     if (!options.noPictures) writePictures(assignment, solutions, into / "handout");
   }
   fmt::print("{}: stub and handout are in step with {}\n", into.string(), solutions.string());

@@ -61,14 +61,6 @@ bool shareATag(const std::vector<std::string>& a, const std::vector<std::string>
   return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
 
-/// The assignment's scene with the settings of some parts, one over the other.
-json partScene(const Assignment& assignment, const std::vector<std::string>& ids) {
-  json scene = readJson(assignment.folder / "scene.json");
-  for (const Part& part : assignment.parts)
-    if (std::find(ids.begin(), ids.end(), part.id) != ids.end()) scene.merge_patch(part.scene);
-  return scene;
-}
-
 /// The parts that a declared scene shows: those that it names, else all that are graded.
 std::vector<std::string> partsOf(const json& declared, const Target& target) {
   if (declared.contains("parts")) return declared["parts"].get<std::vector<std::string>>();
@@ -78,6 +70,13 @@ std::vector<std::string> partsOf(const json& declared, const Target& target) {
 }
 
 } // namespace
+
+json partScene(const Assignment& assignment, const std::vector<std::string>& ids) {
+  json scene = readJson(assignment.folder / "scene.json");
+  for (const Part& part : assignment.parts)
+    if (std::find(ids.begin(), ids.end(), part.id) != ids.end()) scene.merge_patch(part.scene);
+  return scene;
+}
 
 namespace {
 

@@ -41,6 +41,9 @@ void checkScene(const Assignment& assignment, const nlohmann::json& scene, const
 /// Reads a scene file that a person wrote. Throws UsageError as `file:line: key: ...`.
 nlohmann::json readScene(const Assignment& assignment, const std::filesystem::path& file);
 
+/// The assignment's scene with the settings of the parts with these IDs, one over the other.
+nlohmann::json partScene(const Assignment& assignment, const std::vector<std::string>& parts);
+
 /// The scene of the handout's picture of step `k` (0: nothing done yet) of a part: the assignment's
 /// scene, the part's, `settings["scene"]`, and the one given for this step.
 nlohmann::json handoutScene(const Assignment& assignment, const Part& part,

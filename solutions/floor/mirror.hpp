@@ -13,9 +13,8 @@ struct Reflection {
 };
 
 // TODO(mirror.1): make the framebuffer object of the reflection.
-//   Given:  `size` (pixels), `format` (GL_RGBA8; with bloom GL_RGBA16F, because light ends not at
-//   1)
-//           and the names in `reflection` (made, still empty).
+//   Given:  `size` (pixels), `format` (GL_RGBA8; with bloom GL_RGBA16F, for light beyond 1) and the
+//           names in `reflection` (made, still empty).
 //   Do:     storage for `color` (linear filter, clamp to edge) and `depth`; attach both to
 //           `framebuffer`; throw std::runtime_error if it isn't complete; bind the window again.
 //   Expect: the picture doesn't change yet.                             (mirror.md, step 1)
