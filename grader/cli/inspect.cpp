@@ -37,7 +37,8 @@ bool isWhole(const trace::Trace& trace) {
 }
 
 /// The frame that is shown, and the same moment again: shaders are ready by then, and nothing is
-/// copied, so that its passes' times are those of drawing. Where there is no room for two, one.
+/// copied, so that its passes' times are those of drawing. Where there is no room or time for two,
+/// one.
 grading::Rendering rendered(const Options& options, Progress& progress) {
   RenderTarget what;
   what.target = options.id;
@@ -48,17 +49,21 @@ grading::Rendering rendered(const Options& options, Progress& progress) {
   what.solution = options.solution;
   what.trace = requested(options.steps);
   grading::Rendering rendering = renderTarget(what, progress);
-  if (isWhole(rendering.capture.trace)) return rendering;
+  const bool late =
+      rendering.happened.outcome == report::Outcome::timeout && !rendering.capture.frames.empty();
+  if (!late && isWhole(rendering.capture.trace)) return rendering;
   what.times.pop_back();
   return renderTarget(what, progress);
 }
 
-/// Gives the first frame the times of the second, unless they aren't the same passes.
-void takeTimes(trace::Trace& trace) {
-  if (trace.frames.size() < 2 || trace.frames[0].passCount != trace.frames[1].passCount) return;
+/// Gives the first frame the times of the second; false if there is none with the same passes.
+bool takeTimes(trace::Trace& trace) {
+  if (trace.frames.size() < 2 || trace.frames[0].passCount != trace.frames[1].passCount)
+    return false;
   for (std::uint32_t i = 0; i < trace.frames[0].passCount; ++i)
     trace.passes[trace.frames[0].firstPass + i].seconds =
         trace.passes[trace.frames[1].firstPass + i].seconds;
+  return true;
 }
 
 report::InspectedFrame frameOf(const Options& options, grading::Rendering rendering) {
@@ -70,7 +75,7 @@ report::InspectedFrame frameOf(const Options& options, grading::Rendering render
   else if (options.solution)
     frame.name += ", the reference";
   frame.trace = std::move(capture.trace);
-  takeTimes(frame.trace);
+  frame.shadersTimed = !takeTimes(frame.trace);
   frame.time = options.time;
   if (!capture.frames.empty()) {
     const channel::CapturedFrame& first = capture.frames.front();

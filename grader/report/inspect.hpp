@@ -23,10 +23,10 @@ struct InspectedFrame {
   trace::Trace trace;
   std::size_t frame = 0; ///< index in `trace.frames`; if there are none, all passes are shown
   double time = 0;       ///< seconds of the program's clock
-  double seconds = 0;    ///< wall time of the frame; 0: unknown
   std::uint32_t width = 0, height = 0; ///< of the window, pixels
   std::uint32_t boundFramebuffer = 0;  ///< at the swap
   bool windowSrgb = false;             ///< GL_FRAMEBUFFER_SRGB was on for the window
+  bool shadersTimed = false;           ///< the passes' times hold the first use of the shaders, too
   std::string renderer;                ///< GL_RENDERER
   std::string problem;                 ///< why the frame isn't whole, one sentence; mostly empty
   std::vector<InspectedMessage> messages;

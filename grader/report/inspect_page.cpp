@@ -131,6 +131,7 @@ std::string inspectPage(const InspectedFrame& frame, const InspectLimits& limits
   page["milliseconds"] =
       measured ? Data(fmt::format("{:.1f}", parts.totalSeconds() * 1e3)) : Data(false);
   page["times"] = times(parts);
+  page["shadersTimed"] = Data(frame.shadersTimed);
   page["renderer"] = line(frame.renderer);
   const bool whole = frame.frame < frame.trace.frames.size();
   const FrameTrace bytes = whole ? frame.trace.frames[frame.frame] : FrameTrace{};

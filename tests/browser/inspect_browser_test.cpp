@@ -139,6 +139,20 @@ TEST_F(InspectInBrowser, ExposureChannelAndDepthRangeChangeThePicture) {
   EXPECT_THAT(seen.dom, HasSubstr("data-hidden=\"true,true\""));
 }
 
+TEST_F(InspectInBrowser, TheWheelZoomsOnlyAfterAClickOnThePicture) {
+  const Visit seen = drive(samples::frame(), R"js(
+    await valuesOf("values-0");
+    const pane = viewer.querySelector(".pane");
+    const wheel = () => pane.dispatchEvent(new WheelEvent("wheel", { deltaY: -1, cancelable: true }));
+    say.fit = canvas.style.width; say.scrolls = wheel(); say.same = canvas.style.width;
+    pane.focus(); say.zooms = !wheel(); say.larger = canvas.style.width;
+    viewer.querySelector("[data-zoom='1']").click(); say.whole = canvas.style.width;
+  )js");
+  EXPECT_EQ(seen.console, "");
+  EXPECT_THAT(seen.dom, HasSubstr("data-fit=\"64px\" data-scrolls=\"true\" data-same=\"64px\" "
+                                  "data-zooms=\"true\" data-larger=\"80px\" data-whole=\"4px\""));
+}
+
 TEST_F(InspectInBrowser, NotANumberIsMagentaAndInfinityCyan) {
   InspectedFrame frame = samples::frame();
   const std::uint16_t special[] = {0x7E00, 0x7C00};

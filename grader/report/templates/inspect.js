@@ -189,6 +189,7 @@
     pane.addEventListener("pointermove", point);
     pane.addEventListener("pointerdown", point);
     pane.addEventListener("wheel", (event) => {
+      if (document.activeElement !== pane && !event.ctrlKey) return; // the page scrolls
       event.preventDefault();
       zoom(scale * (event.deltaY < 0 ? 1.25 : 0.8), event);
     }, { passive: false });
