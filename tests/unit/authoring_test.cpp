@@ -1,14 +1,19 @@
 #include "authoring/handout.hpp"
+#include "authoring/pass_picture.hpp"
 #include "authoring/solution_blocks.hpp"
 
 #include "assignment/assignment.hpp"
 #include "framework_throws.hpp"
+#include "trace/picture.hpp"
+#include "trace_samples.hpp"
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <sstream>
+
 using namespace ggrade;
 using authoring::blocks;
-using authoring::expandExcerpts;
 using authoring::withFilled;
 using testing::ElementsAre;
 
@@ -70,35 +75,195 @@ TEST(SolutionBlocks, MistakesNameFileAndLine) {
             "floor.cpp:2: END SOLUTION(mirror.2) has no BEGIN before it");
 }
 
-TEST(HandoutExcerpt, IsTheCodeFromTheAnchorToItsEnd) {
-  const auto stub = [](const std::string& file) {
-    EXPECT_EQ(file, "floor.cpp");
-    return "int count = 6;\n"
-           "// draws {\n"
-           "void draw(\n    int i) {\n  if (i) {\n    go();\n  }\n}\n"
-           "int last = 7;\n";
+/// An assignment with one part and an item of every kind.
+Assignment sample() {
+  Assignment made;
+  made.id = "floor";
+  Part part;
+  part.id = "mirror";
+  using report::ItemKind;
+  const auto item = [](const char* title, ItemKind kind, double points, const char* step) {
+    ItemDeclaration one;
+    one.title = title;
+    one.kind = kind;
+    one.points = points;
+    one.step = step;
+    return one;
   };
-  EXPECT_EQ(expandExcerpts("Look:\n{{excerpt floor.cpp \"void draw(\"}}\nDone.\n", "a.md", stub),
+  part.items = {item("It is there", ItemKind::gain, 62.5, "mirror.2"),
+                item("It is clipped", ItemKind::gain, 37.5, "mirror.12"),
+                item("The rest is unharmed", ItemKind::keep, 100, "mirror.1"),
+                item("It is blurred", ItemKind::bonus, 10, "mirror.3")};
+  part.items[1].beyondLecture = true;
+  part.items[3].beyondLecture = true;
+  made.parts = {part};
+  return made;
+}
+
+std::string expand(const std::string& text, const std::string& code = "int count;\n") {
+  return authoring::expandHandout(text, "handout.md", sample(), [&](const std::string& file) {
+    EXPECT_THAT(file, testing::AnyOf("floor.cpp", "mirror.hpp", "tile.frag", "shadow.glsl"));
+    return code;
+  });
+}
+
+TEST(HandoutExcerpt, IsTheCodeFromTheAnchorToItsEnd) {
+  const std::string code = "int count = 6;\n"
+                           "// draws {\n"
+                           "void draw(\n    int i) {\n  if (i) {\n    go();\n  }\n}\n"
+                           "int last = 7;\n";
+  EXPECT_EQ(expand("Look:\n{{excerpt floor.cpp \"void draw(\"}}\nDone.\n", code),
             "Look:\n```cpp\nvoid draw(\n    int i) {\n  if (i) {\n    go();\n  }\n}\n```\nDone.\n");
-  EXPECT_EQ(expandExcerpts("{{excerpt floor.cpp \"count\"}}\n", "a.md", stub),
-            "```cpp\nint count = 6;\n```\n");
+  EXPECT_EQ(expand("{{excerpt floor.cpp \"count\"}}\n", code), "```cpp\nint count = 6;\n```\n");
 }
 
-TEST(HandoutExcerpt, OfAShaderIsMarkedGlsl) {
-  EXPECT_EQ(expandExcerpts("{{excerpt tile.frag \"uniform\"}}\n", "a.md",
-                           [](const std::string&) { return "uniform bool uMirror;\n"; }),
-            "```glsl\nuniform bool uMirror;\n```\n");
+TEST(HandoutExcerpt, NamesTheLanguage) {
+  const std::string code = "uniform bool uMirror;\n";
+  for (const char* file : {"tile.frag", "shadow.glsl"})
+    EXPECT_EQ(expand("{{excerpt " + std::string(file) + " \"uniform\"}}\n", code),
+              "```glsl\n" + code + "```\n");
+  EXPECT_EQ(expand("{{excerpt mirror.hpp \"count\"}}\n"), "```cpp\nint count;\n```\n");
 }
 
-TEST(HandoutExcerpt, MistakesNameFileAndLine) {
-  const auto stub = [](const std::string&) { return "int count;\n"; };
+TEST(HandoutPoints, AreARowForEveryItem) {
+  EXPECT_EQ(expand("Points:\n{{points mirror}}\nDone.\n"),
+            "Points:\n| points | what | step |\n| ---: | --- | --- |\n"
+            "| 62.5 | It is there | 2 |\n"
+            "| 37.5 | It is clipped (beyond the lecture) | 12 |\n"
+            "| −100 | The rest is unharmed | 1 |\n"
+            "| +10 | It is blurred (bonus) | 3 |\nDone.\n");
+}
+
+TEST(HandoutDirective, MistakesNameFileAndLine) {
   const auto problem = [&](const std::string& text) {
-    return messageOf<UsageError>([&] { expandExcerpts(text, "handout.md", stub); });
+    return messageOf<UsageError>([&] { expand(text); });
   };
   EXPECT_EQ(problem("one\n{{excerpt floor.cpp \"gone\"}}\n"),
             "handout.md:2: floor.cpp has no line with \"gone\"");
-  EXPECT_EQ(problem("{{excerpt floor.cpp}}\n"),
-            "handout.md:1: {{excerpt floor.cpp}} is not {{excerpt FILE \"ANCHOR\"}}");
+  EXPECT_EQ(problem("one\n\n{{points shadow}}\n"), "handout.md:3: floor has no part shadow");
+  EXPECT_EQ(
+      problem("{{excerpt floor.cpp}}\n"),
+      "handout.md:1: {{excerpt floor.cpp}} is neither {{excerpt FILE \"ANCHOR\"}} nor {{points "
+      "PART}}");
+  EXPECT_EQ(problem("see {{points mirror}}\n"),
+            "handout.md:1: see {{points mirror}} is neither {{excerpt FILE \"ANCHOR\"}} nor "
+            "{{points PART}}");
+}
+
+/// The row of a Markdown table that holds `text`, or nothing.
+std::string rowWith(const std::string& markdown, const std::string& text) {
+  std::istringstream in(markdown);
+  for (std::string line; std::getline(in, line);)
+    if (line.starts_with("| ") && line.find(text) != line.npos) return line;
+  return "";
+}
+
+TEST(Handouts, SayThePointsOfEveryItemAndTheWeightOfEveryPart) {
+  const std::filesystem::path root = GGRADE_SOURCE_DIR "/assignments";
+  int items = 0;
+  for (const Assignment& assignment : loadAssignments(root)) {
+    const std::string overview = readFile(assignment.folder / "README.md");
+    for (const Part& part : assignment.parts) {
+      const std::string handout = readFile(assignment.folder / (part.id + ".md"));
+      for (const ItemDeclaration& item : part.items) {
+        ++items;
+        std::ostringstream points;
+        points << item.points << " | ";
+        EXPECT_THAT(rowWith(handout, " | " + item.title), testing::HasSubstr(points.str()))
+            << part.id << ": " << item.title;
+      }
+      std::ostringstream weight;
+      weight << " | " << 100 * part.weight << " | ";
+      EXPECT_THAT(rowWith(overview, "](" + part.id + ".md)"), testing::HasSubstr(weight.str()));
+      for (const Todo& todo : part.todos) {
+        const std::string number = todo.id.substr(todo.id.find('.') + 1);
+        EXPECT_THAT(handout, testing::HasSubstr("\n## Step " + number)) << todo.id;
+        EXPECT_THAT(handout, testing::HasSubstr("(handout/" + part.id + "-" + number + ".png)"));
+      }
+    }
+  }
+  EXPECT_GT(items, 20);
+}
+
+TEST(Handouts, ShowOnlyPicturesThatAreThereAndAllOfThem) {
+  for (const Assignment& assignment :
+       loadAssignments(std::filesystem::path(GGRADE_SOURCE_DIR) / "assignments")) {
+    std::string texts;
+    for (const auto& entry : std::filesystem::directory_iterator(assignment.folder))
+      if (entry.path().extension() == ".md") texts += readFile(entry.path());
+    for (std::size_t at = 0; (at = texts.find("](handout/", at)) != texts.npos; ++at) {
+      const std::string name = texts.substr(at + 2, texts.find(')', at) - at - 2);
+      EXPECT_TRUE(std::filesystem::exists(assignment.folder / name)) << name;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(assignment.folder / "handout"))
+      EXPECT_THAT(texts, testing::HasSubstr("(handout/" + entry.path().filename().string() + ")"));
+  }
+}
+
+/// `wanted` with the attachment and sizes given as JSON text.
+Image passPicture(const trace::Trace& trace, const std::string& wanted) {
+  return authoring::passPicture(trace, nlohmann::json::parse(wanted), "handout.json: bloom.3");
+}
+
+TEST(PassPicture, MagnifiesInSquaresAndDividesByTheGreatestValue) {
+  // Of 2 x 2 pixels on the bottom row first; the red channel is 0.5, 1, 2, 1 in the recording.
+  const trace::Trace trace = trace::samples::mirror();
+  const Image stored = trace.image(*trace.copyOf(0, 0));
+  const Image light = passPicture(
+      trace, R"({"attachment": "color0", "sizes": [[2, 2]], "height": 4, "light": true})");
+  ASSERT_EQ(light.sizeText(), "4x4");
+  ASSERT_EQ(light.channels(), 3);
+  const auto display = [](float value) { return 1.055f * std::pow(value, 1 / 2.4f) - 0.055f; };
+  int bright = 0;
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 4; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const float value = stored.at(x / 2, y / 2, c) / 2;
+        EXPECT_NEAR(light.at(x, y, c), value > 0 ? display(value) : 0, 1e-5) << x << ' ' << y;
+        bright += value == 1;
+      }
+  EXPECT_EQ(bright, 4); // the one value of 2, in a square of its own
+}
+
+TEST(PassPicture, ReducesByTheMean) {
+  const trace::Trace trace = trace::samples::mirror();
+  const trace::CopyPicture depth = trace::picture(trace, *trace.copyOf(0, trace::kDepth));
+  float mean = 0;
+  for (int i = 0; i < 4; ++i) mean += depth.rgb.at(i % 2, i / 2, 1) / 4;
+  // The depth is a renderbuffer's in the recording; make it a texture's.
+  trace::Trace textured = trace;
+  textured.passes[0].images[trace::kDepth] = trace::samples::texture(GL_DEPTH_COMPONENT24, 2, 2);
+  const Image one =
+      passPicture(textured, R"({"attachment": "depth", "sizes": [[2, 2]], "height": 1})");
+  ASSERT_EQ(one.sizeText(), "1x1");
+  EXPECT_NEAR(one.at(0, 0, 1), mean, 1e-5);
+}
+
+TEST(PassPicture, StandsInRowsOfThreeAndTakesTheLastPassOfEachSize) {
+  trace::Trace trace = trace::samples::mirror();
+  // A later pass into a texture of the same size, all blue.
+  trace.passes.push_back(trace.passes[0]);
+  trace::samples::addCopy<float>(trace, 2, 0, trace::PixelType::f32x4, 2, 2,
+                                 {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1});
+  const Image sheet = passPicture(trace, R"({"attachment": "color0", "height": 2,
+                             "sizes": [[2, 2], [2, 2], [2, 2], [2, 2]]})");
+  ASSERT_EQ(sheet.sizeText(), "14x8"); // 3 * 2 + 2 * 4, 2 * 2 + 4
+  for (const auto& [x, y] : {std::pair(0, 0), {13, 1}, {0, 7}})
+    EXPECT_THAT(sheet.pixel(x, y), ElementsAre(0, 0, 1)) << x << ' ' << y;
+  for (const auto& [x, y] : {std::pair(2, 0), {0, 3}, {13, 7}}) // gaps, and where none is left
+    EXPECT_THAT(sheet.pixel(x, y), ElementsAre(1, 1, 1)) << x << ' ' << y;
+}
+
+TEST(PassPicture, SaysWhatNoPassDraws) {
+  const trace::Trace trace = trace::samples::mirror();
+  const auto problem = [&](const std::string& wanted) {
+    return messageOf<UsageError>([&] { passPicture(trace, wanted); });
+  };
+  EXPECT_EQ(problem(R"({"attachment": "color0", "sizes": [[4, 2]], "height": 4})"),
+            "handout.json: bloom.3: no pass draws color0 of a texture of 4x2");
+  // A renderbuffer is nobody's texture.
+  EXPECT_EQ(problem(R"({"attachment": "depth", "sizes": [[2, 2]], "height": 4})"),
+            "handout.json: bloom.3: no pass draws depth of a texture of 2x2");
 }
 
 } // namespace
