@@ -29,6 +29,9 @@ constexpr double kNothingOfPass = 0.15, kNothingOfPicture = 0.25;
 /// A picture as right as this is made by passes that are right, in whatever way.
 constexpr double kRightPicture = 0.9;
 
+/// Probes: the reference with its other filters and edge rule.
+constexpr const char* kFilters[] = {"5x5", "dual", "13 samples", "clamped"};
+
 /// Formats that hold more than 0 to 1.
 bool holdsLight(std::uint32_t format) {
   for (const char* name : {"RGBA16F", "RGB16F", "RGBA32F", "RGB32F", "R11F_G11F_B10F"})
@@ -71,7 +74,7 @@ Verdict picture(const View& view) {
         least = comparison.wrongShare, where = densestAt(comparison.densest);
     };
     against(view.scene.reference.at(i));
-    for (const char* filter : {"5x5", "dual", "13 samples", "clamped"})
+    for (const char* filter : kFilters)
       if (least > 0) against(view.scene.probes.at(filter).at(i));
     return {qualityOf(least, kNothingOfPicture),
             fmt::format("{:.1f}% of the {} pixels that bloom reaches differ{}", 100 * least,
@@ -216,25 +219,35 @@ GGRADE_ITEM("bloom.sum", [](const View& view) {
 
 GGRADE_ITEM("bloom.tiny", picture);
 
-/// Share of pixels that look neither like the reference nor like the scene without bloom.
+/// Pixels that a wrong bloom doesn't explain: where there is none they look like no allowed
+/// picture; where there is some they are darker than without any.
 double spoiled(const View& view, std::size_t frame, std::string& where) {
   const Image& image = view.frames.at(frame);
   const auto& probes = view.scene.probes;
-  const bool glows = probes.count("no bloom") > 0;
-  const Mask region =
-      glows ? ~dilate(halo(view, frame), 2) : Mask(image.width(), image.height(), true);
-  CompareOptions options;
-  options.mask = &region;
-  std::vector<const Image*> allowed = {&view.scene.reference.at(frame),
-                                       &probes.at("undone").at(frame)};
-  if (glows) allowed.push_back(&probes.at("no bloom").at(frame));
-  Mask wrong = region;
-  for (const Image* other : allowed)
-    if (const Comparison comparison = compare(image, *other, options); comparison.compared())
+  Mask wrong(image.width(), image.height(), true);
+  const auto allow = [&](const Image& other) {
+    if (const Comparison comparison = compare(image, other); comparison.compared())
       wrong = wrong & comparison.wrong;
-  const double share = double(wrong.count()) / double(std::max<std::size_t>(region.count(), 1));
-  where = fmt::format("{:.1f}% of the pixels that bloom doesn't reach differ{}", 100 * share,
-                      densestAt(densestWindow(wrong)));
+  };
+  allow(view.scene.reference.at(frame));
+  allow(probes.at("undone").at(frame));
+  if (const auto none = probes.find("no bloom"); none != probes.end()) {
+    const Image& bare = none->second.at(frame);
+    allow(bare);
+    for (const char* filter : kFilters)
+      if (wrong.count() > 0) allow(probes.at(filter).at(frame)); // some reach farther
+    const Mask touched = differenceMask(view.scene.reference.at(frame), bare, 1.5f / 255);
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) {
+        if (!wrong.at(x, y) || !touched.at(x, y)) continue;
+        bool darker = false;
+        for (int c = 0; c < 3; ++c) darker |= image.at(x, y, c) < bare.at(x, y, c) - 2 * kTolerance;
+        wrong.set(x, y, darker);
+      }
+  }
+  const double share = double(wrong.count()) / double(image.pixelCount());
+  where = fmt::format("{:.1f}% of the pixels show neither the scene nor light added to it{}",
+                      100 * share, densestAt(densestWindow(wrong)));
   return share;
 }
 
