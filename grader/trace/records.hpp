@@ -72,19 +72,25 @@ struct PassRecord {
   std::uint32_t kind;        ///< PassKind
   std::uint32_t framebuffer; ///< GL's name; 0 is the window. kNone where none takes part (mipmap)
   std::uint32_t status;      ///< GL_FRAMEBUFFER_COMPLETE, or why it isn't
-  ImageRef images[kAttachments]; ///< of what is drawn into; unused ones have kind none
-  std::uint32_t drawBuffers;     ///< mask of the colour attachments that are draw buffers
-  std::uint32_t cleared;         ///< mask of attachments that a clear of this pass covered
-  std::uint32_t written;         ///< mask of attachments that clears or draws can have changed
-  float clearColor[4];           ///< of the last clear of colour
+  /// All that is attached, drawn into or not; the rest has kind none. Of a copy or mipmap
+  /// generation (its first level): what is written, colour as color0. Of a compute shader: the
+  /// images that it can write, as color0 and on.
+  ImageRef images[kAttachments];
+  std::uint32_t drawBuffers; ///< mask of the colour attachments that are draw buffers
+  std::uint32_t cleared;     ///< mask of attachments that a clear of this pass covered
+  std::uint32_t written;     ///< mask of attachments that clears or draws can have changed
+  float clearColor[4];       ///< of the last clear of colour
   float clearDepth;
   std::uint32_t clearStencil;
-  std::int32_t viewport[4]; ///< x, y, width, height at the first draw (clear, if there is none)
+  /// x, y, width, height at the first draw (clear, if there is none); of a blit: what it fills
+  std::int32_t viewport[4];
   std::uint32_t draws;
   std::uint32_t firstStep; ///< index in the table of steps
   std::uint32_t stepCount;
   std::uint64_t vertices; ///< drawn, instances included; indirect draws are not counted
-  double seconds;         ///< wall time with all its work done; 0 unless times were asked for
+  /// Wall time from its first to its last call, and until GL has done it all; 0 unless times were
+  /// asked for.
+  double seconds;
 };
 
 struct StencilFace {
@@ -129,7 +135,8 @@ struct MatrixRecord {
   float values[16];   ///< column by column, as OpenGL has it
 };
 
-/// A texture that a step's program can sample. In a blit, copy or mipmap pass: what is read.
+/// A texture that a step's program can sample. A blit, copy or mipmap pass has one step, without
+/// draws, whose samples are what it reads.
 struct SampleRecord {
   std::uint32_t unit;
   ImageRef image;       ///< of the base level
@@ -142,7 +149,8 @@ struct SampleRecord {
   char uniform[60]; ///< name of the sampler in the shader, ends in 0
 };
 
-/// What an attachment held after a pass (or step). Multisamples are resolved.
+/// What an attachment held after a pass (or step). Multisamples are resolved; of an attachment with
+/// all its layers the first is copied.
 struct CopyRecord {
   std::uint32_t pass;
   std::uint32_t step;       ///< kNone: after the whole pass
