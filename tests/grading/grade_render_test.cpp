@@ -33,10 +33,12 @@ protected:
     for (const json& frame : trace.at("frames")) bytes.push_back(read(out_ / frame.at("image")));
     return bytes;
   }
-  /// Frames of the reference's program as it was built with the tool, in the scene with `patch`.
+  /// Frames of the reference's program as it was built with the tool, in the mirror's scene with
+  /// `patch`.
   std::vector<std::string> reference(const json& patch, const Arguments& options = {}) {
     json scene = json::parse(read(kSource / "assignments/floor/scene.json"));
     scene["size"] = {320, 240};
+    scene["effects"]["mirror"] = true;
     scene.merge_patch(patch);
     Arguments arguments = options;
     arguments.insert(arguments.end(), {"--", kBuild / "solutions/floor/floor", "--scene",
@@ -52,12 +54,13 @@ protected:
 TEST_F(Render, TargetsOfEveryKindAgree) {
   const auto byId = frames({"floor", "--solution", "--size", "160x120"});
   ASSERT_EQ(byId.size(), 1u);
-  EXPECT_EQ(frames({"mirror", "--solution", "--size", "160x120"}), byId);
-  EXPECT_EQ(frames({kSource / "solutions/floor", "--size", "160x120"}), byId);
+  EXPECT_TRUE(frames({kSource / "solutions/floor", "--size", "160x120"}) == byId);
+  EXPECT_FALSE(frames({"mirror", "--solution", "--size", "160x120"}) == byId)
+      << "a part has its own effects only";
   // The assignment's own files are the stub.
   const auto stub = frames({"floor", "--size", "160x120"});
-  EXPECT_NE(stub, byId);
-  EXPECT_EQ(frames({Submission::stub().path(), "--size", "160x120"}), stub);
+  EXPECT_FALSE(stub == byId);
+  EXPECT_TRUE(frames({Submission::stub().path(), "--size", "160x120"}) == stub);
 }
 
 TEST_F(Render, TraceSaysWhatWasDrawn) {
@@ -82,6 +85,132 @@ TEST_F(Render, TraceSaysWhatWasDrawn) {
     const ggrade::Image image = ggrade::readPng(out_ / frame.at("image").get<std::string>());
     EXPECT_EQ(image.sizeText(), "160x120");
   }
+}
+
+/// The only sampled texture with that uniform in a pass of trace.json.
+json sampled(const json& pass, const std::string& uniform) {
+  json found;
+  for (const json& step : pass.at("steps"))
+    for (const json& sample : step.at("samples"))
+      if (sample.at("uniform") == uniform) found = sample;
+  return found;
+}
+
+TEST_F(Render, PassesOfTheMirror) {
+  const auto plain = frames({"mirror", "--solution", "--size", "160x120"});
+  EXPECT_TRUE(frames({"mirror", "--solution", "--size", "160x120", "--passes", "--raw"}) == plain)
+      << "recording changes no pixel";
+  const json trace = this->trace();
+  ASSERT_EQ(trace.at("passes").size(), 2u);
+  EXPECT_EQ(trace.at("lost").dump(),
+            R"({"copies":0,"matrices":0,"passes":0,"samples":0,"steps":0})");
+  const json& frame = trace.at("frames").at(0);
+  EXPECT_EQ(frame.at("first_pass"), 0);
+  EXPECT_EQ(frame.at("pass_count"), 2);
+  EXPECT_GT(frame.at("buffer_bytes"), 0);
+
+  const json& reflection = trace.at("passes").at(0);
+  const json& colour = reflection.at("attachments").at("color0");
+  EXPECT_EQ(colour.at("kind"), "texture");
+  const std::size_t pixels =
+      colour.at("width").get<std::size_t>() * colour.at("height").get<std::size_t>();
+  EXPECT_GE(frame.at("image_bytes"), 7 * pixels) << "colour, and depth of 24 bits";
+  EXPECT_EQ(reflection.at("attachments").at("depth").at("kind"), "renderbuffer");
+  EXPECT_NE(reflection.at("framebuffer"), 0);
+  EXPECT_EQ(reflection.at("status"), "FRAMEBUFFER_COMPLETE");
+  EXPECT_EQ(reflection.at("cleared"), json({"color0", "depth"}));
+  EXPECT_EQ(reflection.at("draws"), 6);
+  EXPECT_EQ(reflection.at("steps").at(0).at("cull_face"), "FRONT");
+  EXPECT_EQ(reflection.at("read_by"), json({1}));
+
+  const json& window = trace.at("passes").at(1);
+  EXPECT_EQ(window.at("framebuffer"), 0);
+  EXPECT_EQ(window.at("attachments").at("color0").at("kind"), "window");
+  EXPECT_EQ(window.at("attachments").at("color0").at("width"), 160);
+  EXPECT_EQ(window.at("draws"), 7);
+  EXPECT_EQ(sampled(window, "uReflection").at("written_by"), 0);
+  EXPECT_EQ(sampled(window, "uReflection").at("image"), colour);
+  EXPECT_EQ(sampled(window, "uReflection").at("incomplete"), false);
+
+  // A picture of each attachment that was written, of its size.
+  EXPECT_THAT(names(out_), ElementsAre("frame-0", "frame-0.png", "trace.json"));
+  EXPECT_THAT(names(out_ / "frame-0"),
+              ElementsAre("pass-00-color0.f32", "pass-00-color0.png", "pass-00-depth.f32",
+                          "pass-00-depth.png", "pass-01-color0.f32", "pass-01-color0.png",
+                          "pass-01-depth.f32", "pass-01-depth.png"));
+  for (const json& pass : trace.at("passes")) {
+    ASSERT_EQ(pass.at("copies").size(), 2u);
+    for (const json& copy : pass.at("copies")) {
+      const ggrade::Image image = ggrade::readPng(out_ / copy.at("image").get<std::string>());
+      EXPECT_EQ(image.width(), copy.at("width"));
+      EXPECT_EQ(image.height(), copy.at("height"));
+      const bool depth = copy.at("attachment") == "depth";
+      EXPECT_EQ(copy.at("scale"), depth ? "linear depth by uProjection" : "as stored");
+      EXPECT_EQ(fs::file_size(out_ / copy.at("raw").get<std::string>()),
+                image.pixelCount() * (depth ? 4 : 16));
+    }
+  }
+  // What the last pass left in the window is the frame; what lies far away is darker than nothing.
+  EXPECT_EQ(ggrade::compare(ggrade::readPng(out_ / "frame-0/pass-01-color0.png"),
+                            ggrade::readPng(out_ / "frame-0.png"))
+                .wrongShare,
+            0);
+  const json& depth = window.at("copies").at(1);
+  EXPECT_EQ(depth.at("attachment"), "depth");
+  EXPECT_GT(depth.at("low"), 4.0) << "the nearest object is some metres away";
+  EXPECT_LT(depth.at("high"), 15.0) << "before the far plane";
+}
+
+TEST_F(Render, PassesOfEveryFrameAndEveryStep) {
+  ASSERT_EQ(frames({"floor", "--solution", "--size", "80x60", "--times", "0,1", "--passes",
+                    "--steps", "--pass-times"})
+                .size(),
+            2u);
+  const json trace = this->trace();
+  const json& passes = trace.at("passes");
+  const std::size_t each = trace.at("frames").at(0).at("pass_count");
+  EXPECT_GT(each, 4u) << "shadow, mirror, scene, bloom";
+  ASSERT_EQ(passes.size(), 2 * each);
+  EXPECT_EQ(trace.at("frames").at(1).at("first_pass"), each);
+  EXPECT_EQ(passes.at(each).at("frame"), 1);
+  EXPECT_THAT(names(out_),
+              ElementsAre("frame-0", "frame-0.png", "frame-1", "frame-1.png", "trace.json"));
+  std::size_t files = 0;
+  for (const json& pass : passes) {
+    EXPECT_GT(pass.at("seconds"), 0.0);
+    for (const json& copy : pass.at("copies")) {
+      EXPECT_TRUE(fs::exists(out_ / copy.at("image").get<std::string>())) << copy;
+      if (!copy.at("step").is_null()) EXPECT_LT(copy.at("step"), pass.at("steps").size());
+      ++files;
+    }
+  }
+  EXPECT_EQ(files, names(out_ / "frame-0").size() + names(out_ / "frame-1").size());
+  EXPECT_THAT(names(out_ / "frame-0"), testing::Contains("pass-00-step-0-depth.png"));
+}
+
+TEST_F(Render, PassesOfARunThatFailedAreKept) {
+  Submission crashes = Submission::solution();
+  crashes.replace("floor.cpp", "    window.swapBuffers();\n",
+                  "    if (time > 0.5) std::abort();\n    window.swapBuffers();\n");
+  const Ended ended = runTool({"render", crashes.path(), "--times", "0,1,2", "--size", "64x48",
+                               "--passes", "--json", "--out", out_});
+  EXPECT_EQ(ended.exitCode, 1);
+  const json trace = this->trace();
+  EXPECT_EQ(json::parse(ended.out), trace) << "--json prints what it writes";
+  ASSERT_EQ(trace.at("frames").size(), 1u);
+  const std::size_t first = trace.at("frames").at(0).at("pass_count");
+  EXPECT_GT(trace.at("passes").size(), first) << "those of the frame that never came, too";
+  EXPECT_EQ(trace.at("passes").back().at("frame"), 1);
+}
+
+TEST_F(Render, PassesAreAskedForFirst) {
+  for (const char* option : {"--steps", "--pass-times", "--raw"}) {
+    const Ended ended = runTool({"render", "floor", option, "--out", out_});
+    EXPECT_EQ(ended.exitCode, 2) << option;
+    EXPECT_THAT(ended.errors, HasSubstr("--passes")) << option;
+  }
+  ASSERT_EQ(frames({"floor", "--size", "64x48"}).size(), 1u);
+  EXPECT_FALSE(trace().contains("passes"));
 }
 
 TEST_F(Render, AnyProgramOfAnybody) {
@@ -135,7 +264,7 @@ TEST_F(Render, AFailureIsSaidAndKeepsWhatCame) {
       {"render", Submission::example("shader_error").path(), "--out", folder_.path() / "shader"});
   EXPECT_EQ(shader.exitCode, 1);
   EXPECT_THAT(shader.errors,
-              AllOf(ContainsRegex("tile\\.frag:51:[0-9]+: error"),
+              AllOf(ContainsRegex("tile\\.frag:[0-9]+:[0-9]+: error"),
                     HasSubstr("vec2 at = gl_FragCoord.xy / uWindow;"), HasSubstr("^")));
   const Ended missing =
       runTool({"render", "--out", folder_.path() / "none", "--", "/nowhere/tiny"});
@@ -151,42 +280,18 @@ TEST_F(Render, TheSecondFrameEqualsAFirstFrameOfThatTime) {
     const auto alone = reference(patch, {"--times", "2.2"});
     ASSERT_EQ(both.size(), 2u);
     ASSERT_EQ(alone.size(), 1u);
-    EXPECT_NE(both[0], both[1]);
-    EXPECT_EQ(both[1], alone[0]) << patch;
+    EXPECT_FALSE(both[0] == both[1]);
+    EXPECT_TRUE(both[1] == alone[0]) << patch;
   }
 }
 
 TEST_F(Render, OddSizes) {
   for (const char* size : {"1x1", "7x13", "641x479"}) {
-    ASSERT_EQ(reference(json::object(), {"--size", size}).size(), 1u) << size;
+    const json effects = {{"mirror", true}, {"shadow", true}, {"bloom", true}};
+    ASSERT_EQ(reference({{"effects", effects}}, {"--size", size}).size(), 1u) << size;
     EXPECT_EQ(ggrade::readPng(out_ / "frame-0.png").sizeText(), size);
     EXPECT_THAT(trace().at("messages").dump(), Not(HasSubstr("GL_"))) << size;
   }
-}
-
-TEST_F(Render, ThePassIsLeftOutWhereNothingCanBeReflected) {
-  // A reference that ends where it would make the framebuffer object.
-  Submission noPass = Submission::solution();
-  noPass.replace("floor.cpp", "  reflection.size = size;\n",
-                 "  reflection.size = size;\n  throw std::runtime_error(\"the pass is drawn\");\n");
-  const auto rendered = [&](const char* patch) {
-    json scene = json::parse(read(kSource / "assignments/floor/scene.json"));
-    scene.merge_patch(json::parse(patch));
-    return runTool({"render", noPass.path(), "--size", "64x48", "--out", out_, "--scene",
-                    folder_.write("scene.json", scene.dump())});
-  };
-  for (const char* patch : {R"({"camera": {"position": [0, -2, 7]}})",
-                            R"({"materials": {"floor": {"specular": [0, 0, 0]}}})",
-                            R"({"camera": {"position": [0, 3, 7], "target": [0, 9, 0]}})",
-                            R"({"effects": {"mirror": false}})"}) {
-    const Ended ended = rendered(patch);
-    EXPECT_EQ(ended.exitCode, 0) << patch << ended.errors;
-  }
-  EXPECT_THAT(rendered("{}").errors, HasSubstr("the pass is drawn"));
-  EXPECT_THAT(
-      rendered(R"({"camera": {"position": [0, -2, 7]}, "debug": {"draw_all_passes": true}})")
-          .errors,
-      HasSubstr("the pass is drawn"));
 }
 
 struct Scene {
@@ -199,12 +304,16 @@ void PrintTo(const Scene& scene, std::ostream* out) {
 
 class NothingToReflect : public Render, public testing::WithParamInterface<Scene> {};
 
-TEST_P(NothingToReflect, LooksTheSameWithAllPassesForcedOn) {
+TEST_P(NothingToReflect, ThePassIsLeftOutAndThePictureIsTheSame) {
   json patch = json::parse(GetParam().patch);
-  const auto usual = reference(patch, {"--times", "0.2,1.4"});
+  const auto usual = reference(patch, {"--times", "0.2,1.4", "--passes"});
   ASSERT_EQ(usual.size(), 2u);
+  EXPECT_EQ(trace().at("passes").size(), 2u) << "the window's, in each frame";
   patch["debug"]["draw_all_passes"] = true;
-  EXPECT_EQ(reference(patch, {"--times", "0.2,1.4"}), usual);
+  EXPECT_TRUE(reference(patch, {"--times", "0.2,1.4", "--passes"}) == usual);
+  const json passes = trace().at("passes");
+  EXPECT_GE(passes.size(), 4u);
+  EXPECT_NE(passes.at(0).at("framebuffer"), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -212,9 +321,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Scene{"EyeBelowTheFloor", R"({"camera": {"position": [0, -2, 7]}})"},
         Scene{"NoSpecularFloor", R"({"materials": {"floor": {"specular": [0, 0, 0]}}})"},
-        Scene{"FloorOutOfView", R"({"camera": {"position": [0, 3, 7], "target": [0, 9, 0]}})"},
-        Scene{"MirrorOff", R"({"effects": {"mirror": false}})"},
-        Scene{"NoObjects", R"({"ring": {"count": 0}})"}),
+        Scene{"FloorOutOfView", R"({"camera": {"position": [0, 3, 7], "target": [0, 9, 0]}})"}),
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Commands, ListSaysTheSameInJson) {
