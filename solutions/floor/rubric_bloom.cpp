@@ -179,8 +179,8 @@ GGRADE_ITEM("bloom.levels", [](const View& view) {
     float most = 0;
     for (const float value : before.values()) most = std::max(most, value);
     if (most <= 0) return light; // black from black proves nothing
-    return better(
-        light, compareLight(found.levels[k].down, tentDown(before, level.width, level.height), 1));
+    return better(light,
+                  compareLight(found.levels[k].down, byTent(before, level.width, level.height), 1));
   });
   if (brightPass(view).wrongShare > kNothingLeft)
     verdict.message = "after a wrong bright pass: " + verdict.message;
@@ -205,7 +205,7 @@ GGRADE_ITEM("bloom.sum", [](const View& view) {
     if (light.wrongShare < kOtherWays || findNonFinite(own) || smaller.empty() ||
         findNonFinite(smaller))
       return light;
-    Image sum = tentUp(smaller, own.width(), own.height());
+    Image sum = byTent(smaller, own.width(), own.height());
     float most = 0;
     for (std::size_t i = 0; i < sum.values().size(); ++i) {
       most = std::max(most, sum.values()[i]);

@@ -71,7 +71,15 @@ std::vector<std::vector<Tap>> taps(int from, int to) {
   return all;
 }
 
-Image tent(const Image& image, int width, int height) {
+double percentile(std::vector<double>& values, double share) {
+  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+} // namespace
+
+Image byTent(const Image& image, int width, int height) {
   const auto across = taps(image.width(), width), down = taps(image.height(), height);
   const int channels = image.channels();
   Image rows(width, image.height(), channels), out(width, height, channels);
@@ -92,22 +100,6 @@ Image tent(const Image& image, int width, int height) {
         out.at(x, y, c) = float(sum);
       }
   return out;
-}
-
-double percentile(std::vector<double>& values, double share) {
-  const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
-} // namespace
-
-Image tentDown(const Image& image, int width, int height) {
-  return tent(image, width, height);
-}
-
-Image tentUp(const Image& image, int width, int height) {
-  return tent(image, width, height);
 }
 
 Pyramid ownPyramid(const trace::Trace& trace) {

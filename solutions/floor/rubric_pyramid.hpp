@@ -26,9 +26,9 @@ Pyramid ownPyramid(const trace::Trace& trace);
 /// A submission's, at the sizes of the reference's levels, to one pixel.
 Pyramid pyramidLike(const Pyramid& reference, const trace::Trace& trace);
 
-/// The area-weighted tent with mirrored edges: `image` at a smaller or larger size.
-Image tentDown(const Image& image, int width, int height);
-Image tentUp(const Image& image, int width, int height);
+/// `image` at a smaller or larger size by the area-weighted tent, edges mirrored
+/// (framework/shaders/pyramid.glsl), in double precision.
+Image byTent(const Image& image, int width, int height);
 
 /// How a picture of light compares with another, any size, after division by `gain`.
 struct LightComparison {

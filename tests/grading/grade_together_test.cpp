@@ -115,7 +115,7 @@ Image composed(const channel::Capture& capture) {
   Image light = drawnTexture(capture, true);
   const floor_rubric::Pyramid pyramid = floor_rubric::ownPyramid(capture.trace);
   EXPECT_EQ(pyramid.levels.size(), 6u);
-  const Image bloom = floor_rubric::tentUp(pyramid.levels.at(0).up, light.width(), light.height());
+  const Image bloom = floor_rubric::byTent(pyramid.levels.at(0).up, light.width(), light.height());
   for (std::size_t i = 0; i < light.values().size(); ++i) {
     const double sum = std::clamp(double(light.values()[i]) + double(bloom.values()[i]), 0.0, 1.0);
     light.values()[i] =
