@@ -85,7 +85,7 @@ TEST(FrameworkRun, WrongArgumentsEndWithFiveAndTheUsage) {
 TEST(FrameworkRun, HelpIsPrinted) {
   const CaptureRun result = run({"--help"});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.output, StartsWith("usage: capture_loop [--scene FILE]"));
+  EXPECT_THAT(result.output, StartsWith("usage: capture_loop [--part ID | --scene FILE]"));
 }
 
 TEST(FrameworkRun, AClosedWindowEndsTheLoop) {

@@ -201,6 +201,49 @@ TEST(Together, AllThreeAreTheCompositionOfTheirPasses) {
                reflected(drawnTexture(shadowed, true), drawnTexture(all, false)), kStep);
 }
 
+/// Sums of the three channels over all pixels.
+double energy(const Image& image) {
+  double sum = 0;
+  for (const float value : image.values()) sum += double(value);
+  return sum;
+}
+
+class BloomSize : public testing::TestWithParam<std::pair<int, int>> {};
+
+TEST_P(BloomSize, IsTheFilterInDoublePrecisionAndKeepsItsEnergy) {
+  // Floats, so that only the filter is measured. The bright pass has the greatest share of light
+  // where the threshold is low.
+  const auto [width, height] = GetParam();
+  const json tiny = {{"size", {width, height}},
+                     {"bloom", {{"threshold", 0.1}}},
+                     {"quality", {{"bloom_format", 3}}}};
+  const channel::Capture capture = solution().render(scene(false, false, true, tiny), everything());
+  const floor_rubric::Pyramid pyramid = floor_rubric::ownPyramid(capture.trace);
+  ASSERT_EQ(pyramid.levels.size(), 6u);
+  int w = width, h = height;
+  for (std::size_t k = 0; k < 6; ++k) {
+    const floor_rubric::Level& level = pyramid.levels[k];
+    w = std::max(w / 2, 1), h = std::max(h / 2, 1);
+    EXPECT_EQ(level.width, w) << k;
+    EXPECT_EQ(level.height, h) << k;
+    ASSERT_FALSE(findNonFinite(level.down)) << k;
+    if (k == 0) continue;
+    const Image& before = pyramid.levels[k - 1].down;
+    const Image expected = floor_rubric::byTent(before, w, h);
+    double most = 1e-3;
+    for (const float value : expected.values()) most = std::max(most, double(value));
+    expectWithin(level.down, expected, 1e-4 * most);
+    const double share = double(before.width() * before.height()) / (w * h);
+    EXPECT_NEAR(energy(level.down) * share, energy(before), 0.01 * energy(before) + 1e-6) << k;
+  }
+  expectWithin(window(capture), composed(capture), kStep);
+}
+
+INSTANTIATE_TEST_SUITE_P(Together, BloomSize,
+                         testing::Values(std::pair(640, 480), std::pair(101, 67), std::pair(45, 37),
+                                         std::pair(7, 13), std::pair(1, 90), std::pair(90, 1),
+                                         std::pair(3, 3), std::pair(1, 1)));
+
 /// A scene in which some pass has nothing to show.
 struct Spared {
   const char* name;

@@ -75,6 +75,7 @@ TEST(Window, ShowsWhatTheOffscreenRunDraws) {
   const TemporaryFolder folder;
   // A cycle of 115 days: nothing moves that can be seen while we look.
   json scene = json::parse(read(kSource / "assignments/floor/scene.json"));
+  scene["effects"] = {{"mirror", true}, {"shadow", true}, {"bloom", true}};
   scene["ring"]["cycle"] = 1e7;
   const fs::path file = folder.write("still.json", scene.dump());
   const fs::path program = kBuild / "solutions/floor/floor";

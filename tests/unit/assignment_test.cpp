@@ -75,6 +75,20 @@ TEST_F(AssignmentFile, TargetsAreAPartOrAll) {
   EXPECT_TRUE(all.covers("light"));
 }
 
+TEST_F(AssignmentFile, WeightsCountWherePartsAreGradedTogether) {
+  json weighed = kSample;
+  weighed["parts"][0]["weight"] = 0.75;
+  weighed["parts"][1]["weight"] = 0.25;
+  write(weighed);
+  EXPECT_EQ(findTarget(files_.path(), "turn").maxScore(), 60);
+  const Target all = findTarget(files_.path(), "cube");
+  EXPECT_EQ(all.maxScore(), 55);
+  EXPECT_EQ(all.items()[1].points, 22.5); // what may be taken away, too
+  EXPECT_EQ(all.items()[3].points, 10);
+  EXPECT_THAT(problemWith("/parts/0/weight", 0), HasSubstr("turn: weight must be above 0"));
+  EXPECT_THAT(problemWith("/parts/1/weight", 1.5), HasSubstr("light: weight must be"));
+}
+
 TEST_F(AssignmentFile, AnUnknownTargetListsWhatThereIs) {
   write(kSample);
   EXPECT_EQ(messageOf<UsageError>([&] { findTarget(files_.path(), "cbue"); }),

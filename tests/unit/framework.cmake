@@ -6,6 +6,7 @@ ggrade_test(framework_unit unit
     ${CMAKE_CURRENT_LIST_DIR}/framework_image_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_mesh_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_obj_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/framework_parts_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_shader_log_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_shader_source_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_camera_test.cpp

@@ -28,10 +28,17 @@ TEST(Arguments, TakeTheirValueAfterASpaceOrAnEqualsSign) {
   EXPECT_EQ(arguments.size, glm::ivec2(64, 48));
 }
 
+TEST(Arguments, APartAndASceneExcludeEachOther) {
+  EXPECT_EQ(parseArguments({"--part", "shadow"}).part, "shadow");
+  EXPECT_EQ(messageFor({"--part", "shadow", "--scene", "a.json"}),
+            "--part and --scene both choose the scene; give one of them");
+}
+
 TEST(Arguments, HelpIsRecognised) {
   EXPECT_TRUE(parseArguments({"--help"}).help);
   EXPECT_TRUE(parseArguments({"-h"}).help);
-  EXPECT_THAT(gg::detail::usage("floor"), testing::StartsWith("usage: floor [--scene FILE]"));
+  EXPECT_THAT(gg::detail::usage("floor"),
+              testing::StartsWith("usage: floor [--part ID | --scene FILE]"));
 }
 
 TEST(Arguments, UnknownOnesAreNamed) {

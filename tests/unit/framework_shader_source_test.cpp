@@ -59,8 +59,9 @@ TEST_F(ShaderSource, ACycleIsAnError) {
 
 TEST_F(ShaderSource, AMissingFileIsNamedWhereItIsAskedFor) {
   folder.write("a.frag", "#version 410 core\n\n#include \"lightning.glsl\"\n");
-  EXPECT_EQ(messageFor("a.frag"), "a.frag:3: error: there is no file \"lightning.glsl\" beside the "
-                                  "program, and the framework has only gg/lighting.glsl");
+  EXPECT_EQ(messageFor("a.frag"),
+            "a.frag:3: error: there is no file \"lightning.glsl\" beside the "
+            "program, and the framework has only gg/lighting.glsl, gg/pyramid.glsl");
   EXPECT_THAT(messageFor("none.frag"),
               testing::StartsWith("none.frag: error: there is no such file in "));
 }

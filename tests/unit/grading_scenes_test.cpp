@@ -99,12 +99,33 @@ TEST_F(Scenes, TagsChooseProbes) {
 }
 
 TEST_F(Scenes, OfOtherPartsAreLeftOut) {
-  json scenes = file({scene("a", json::object()), scene("b", json::object())});
+  json scenes =
+      file({scene("a", json::object()), scene("b", json::object()), scene("c", json::object())});
   scenes["scenes"][0]["parts"] = {"shadow"};
-  scenes["scenes"][1]["parts"] = {"shadow", "mirror"};
+  scenes["scenes"][1]["parts"] = {"mirror"};
+  scenes["scenes"][2]["parts"] = {"shadow", "mirror"}; // shown where both are graded
   const ScenePlan plan = draw(scenes);
   ASSERT_EQ(plan.scenes.size(), 1u);
   EXPECT_EQ(plan.scenes[0].name, "b");
+  EXPECT_EQ(plan.scenes[0].scene.at("effects"),
+            json({{"mirror", true}, {"shadow", false}, {"bloom", false}}));
+}
+
+TEST_F(Scenes, OfPartsThatAreGradedTogetherHaveOnlyTheirOwnEffects) {
+  json scenes = file({scene("a", json::object()), scene("b", json::object())});
+  scenes["scenes"][0]["parts"] = {"shadow"};
+  scenes["scenes"][1]["parts"] = {"mirror", "bloom"};
+  target_ = findTarget(target_.assignment.folder.parent_path(), "floor");
+  const ScenePlan plan = draw(scenes);
+  ASSERT_EQ(plan.scenes.size(), 2u);
+  EXPECT_EQ(plan.scenes[0].name, "shadow: a");
+  EXPECT_EQ(plan.scenes[0].scene.at("effects"),
+            json({{"mirror", false}, {"shadow", true}, {"bloom", false}}));
+  EXPECT_EQ(plan.scenes[0].scene.at("ring").at("glow"), 0);
+  EXPECT_EQ(plan.scenes[1].name, "mirror + bloom: b");
+  EXPECT_EQ(plan.scenes[1].scene.at("effects"),
+            json({{"mirror", true}, {"shadow", false}, {"bloom", true}}));
+  EXPECT_EQ(plan.scenes[1].scene.at("ring").at("glow"), 4);
 }
 
 TEST_F(Scenes, MistakesNameTheFile) {
