@@ -38,9 +38,10 @@ float downWeight(float j, float centre, float ratio) {
   return tentArea((j + 1.0 - centre) / ratio) - tentArea((j - centre) / ratio);
 }
 
-// For target pixel i of `to`, from a level of `from` texels, `from` >= `to`.
-Taps downTaps(float i, float from, float to) {
-  float ratio = from / to, centre = (i + 0.5) * ratio, end = ceil(centre + ratio);
+// For target pixel i of `to`, from a level of `from` texels, `from` >= `to`. No taps unless `wanted`.
+Taps downTaps(bool wanted, float i, float from, float to) {
+  float ratio = from / to, centre = (i + 0.5) * ratio;
+  float end = wanted ? ceil(centre + ratio) : -1e9;
   Taps taps;
   taps.count = 0;
   for (float j = floor(centre - ratio); j < end; j += 2.0)
@@ -49,11 +50,11 @@ Taps downTaps(float i, float from, float to) {
 }
 
 // For target pixel i of `to`, from a level of `from` texels, `from` <= `to`: the transpose.
-Taps upTaps(float i, float from, float to) {
+Taps upTaps(bool wanted, float i, float from, float to) {
   float low = i * from / to, high = (i + 1.0) * from / to, scale = to / from;
+  float end = wanted ? ceil(high + 0.5) : -1e9;
   Taps taps;
   taps.count = 0;
-  float end = ceil(high + 0.5);
   for (float j = floor(low - 0.5); j < end; j += 2.0) {
     float first = tentArea(high - j - 0.5) - tentArea(low - j - 0.5);
     float second = tentArea(high - j - 1.5) - tentArea(low - j - 1.5);
@@ -70,66 +71,60 @@ vec3 gather(sampler2D source, Taps x, Taps y) {
   return sum;
 }
 
+// Sample i of a filter of the way down: offset in texels of the source, and weight.
+vec3 downTap(int filterKind, int i) {
+  const float binomial[5] = float[](1.0, 4.0, 6.0, 4.0, 1.0);
+  int x = i % 5, y = i / 5;
+  if (filterKind == 0) return vec3(x - 2, y - 2, binomial[x] * binomial[y] / 256.0);
+  vec2 corner = vec2((i & 1) * 2 - 1, (i & 2) - 1); // samples 0 to 3
+  if (filterKind == 1) return i < 4 ? vec3(corner, 0.125) : vec3(0, 0, 0.5);
+  // Five overlapping 2 x 2 boxes of samples: the middle one weighs 1/2, the others 1/8 each.
+  if (filterKind == 2 && i < 4) return vec3(corner, 0.125);
+  vec2 wide = vec2((i - 4) % 3 - 1, (i - 4) / 3 - 1) * 2.0;
+  float share = (wide.x == 0.0 ? 2.0 : 1.0) * (wide.y == 0.0 ? 2.0 : 1.0) / 32.0;
+  return filterKind == 2 ? vec3(wide, share) : vec3(0.75 * corner, 0.25);
+}
+
+// Sample i of a filter of the way up.
+vec3 upTap(int filterKind, int i) {
+  vec2 corner = vec2((i & 1) * 2 - 1, (i & 2) - 1);
+  vec2 axis = vec2(i == 4 ? 1 : i == 5 ? -1 : 0, i == 6 ? 1 : i == 7 ? -1 : 0);
+  if (filterKind == 1) return i < 4 ? vec3(0.5 * corner, 2.0 / 12.0) : vec3(axis, 1.0 / 12.0);
+  vec2 near = vec2(i % 3 - 1, i / 3 - 1);
+  float share = (near.x == 0.0 ? 2.0 : 1.0) * (near.y == 0.0 ? 2.0 : 1.0) / 16.0;
+  return filterKind == 2 ? vec3(near, share) : vec3(0, 0, 1);
+}
+
+// How many samples a filter takes is a loop's length: a software renderer runs both sides of an if.
+
 // This pixel of a level of `size` pixels, from the next larger level.
 vec3 downsample(sampler2D source, vec2 size, int filterKind) {
   vec2 from = vec2(textureSize(source, 0));
-  vec2 pixel = floor(gl_FragCoord.xy), at = gl_FragCoord.xy / size, texel = 1.0 / from;
-  if (filterKind == 0) {
-    const float binomial[5] = float[](1.0, 4.0, 6.0, 4.0, 1.0);
-    vec3 sum = vec3(0);
-    for (int y = 0; y < 5; ++y)
-      for (int x = 0; x < 5; ++x)
-        sum += binomial[x] * binomial[y] / 256.0 *
-               textureLod(source, at + vec2(x - 2, y - 2) * texel, 0.0).rgb;
-    return sum;
+  vec2 pixel = floor(gl_FragCoord.xy), at = gl_FragCoord.xy / size;
+  bool odd = filterKind == 3 && from != 2.0 * size; // else its weights are four samples
+  int count = filterKind == 0 ? 25 : filterKind == 1 ? 5 : filterKind == 2 ? 13 : odd ? 0 : 4;
+  vec3 sum = gather(source, downTaps(odd, pixel.x, from.x, size.x),
+                    downTaps(odd, pixel.y, from.y, size.y));
+  for (int i = 0; i < count; ++i) {
+    vec3 tap = downTap(filterKind, i);
+    sum += tap.z * textureLod(source, at + tap.xy / from, 0.0).rgb;
   }
-  if (filterKind == 1) {
-    vec3 sum = 4.0 * textureLod(source, at, 0.0).rgb;
-    for (int y = -1; y <= 1; y += 2)
-      for (int x = -1; x <= 1; x += 2)
-        sum += textureLod(source, at + vec2(x, y) * texel, 0.0).rgb;
-    return sum / 8.0;
-  }
-  if (filterKind == 2) {
-    // Five overlapping 2 x 2 boxes of samples: the middle one weighs 1/2, the others 1/8 each.
-    vec3 sum = vec3(0);
-    for (int y = -1; y <= 1; y += 2)
-      for (int x = -1; x <= 1; x += 2)
-        sum += 0.125 * textureLod(source, at + vec2(x, y) * texel, 0.0).rgb;
-    for (int y = -2; y <= 2; y += 2)
-      for (int x = -2; x <= 2; x += 2) {
-        float weight = (x == 0 ? 2.0 : 1.0) * (y == 0 ? 2.0 : 1.0) / 32.0;
-        sum += weight * textureLod(source, at + vec2(x, y) * texel, 0.0).rgb;
-      }
-    return sum;
-  }
-  return gather(source, downTaps(pixel.x, from.x, size.x), downTaps(pixel.y, from.y, size.y));
+  return sum;
 }
 
 // This pixel of a level of `size` pixels, from the next smaller level.
 vec3 upsample(sampler2D source, vec2 size, int filterKind) {
   vec2 from = vec2(textureSize(source, 0));
-  vec2 pixel = floor(gl_FragCoord.xy), at = gl_FragCoord.xy / size, texel = 1.0 / from;
-  if (filterKind == 0) return textureLod(source, at, 0.0).rgb;
-  if (filterKind == 1) {
-    vec3 sum = vec3(0);
-    for (int i = 0; i < 4; ++i) {
-      vec2 axis = vec2(i == 0 ? 1 : i == 1 ? -1 : 0, i == 2 ? 1 : i == 3 ? -1 : 0);
-      vec2 diagonal = vec2(i < 2 ? 0.5 : -0.5, (i & 1) == 0 ? 0.5 : -0.5);
-      sum += textureLod(source, at + axis * texel, 0.0).rgb +
-             2.0 * textureLod(source, at + diagonal * texel, 0.0).rgb;
-    }
-    return sum / 12.0;
+  vec2 pixel = floor(gl_FragCoord.xy), at = gl_FragCoord.xy / size;
+  bool odd = filterKind == 3 && 2.0 * from != size; // else its weights are one sample
+  int count = filterKind == 1 ? 8 : filterKind == 2 ? 9 : odd ? 0 : 1;
+  vec3 sum =
+      gather(source, upTaps(odd, pixel.x, from.x, size.x), upTaps(odd, pixel.y, from.y, size.y));
+  for (int i = 0; i < count; ++i) {
+    vec3 tap = upTap(filterKind, i);
+    sum += tap.z * textureLod(source, at + tap.xy / from, 0.0).rgb;
   }
-  if (filterKind == 2) {
-    vec3 sum = vec3(0);
-    for (int y = -1; y <= 1; ++y)
-      for (int x = -1; x <= 1; ++x)
-        sum += (x == 0 ? 2.0 : 1.0) * (y == 0 ? 2.0 : 1.0) / 16.0 *
-               textureLod(source, at + vec2(x, y) * texel, 0.0).rgb;
-    return sum;
-  }
-  return gather(source, upTaps(pixel.x, from.x, size.x), upTaps(pixel.y, from.y, size.y));
+  return sum;
 }
 
 // A colour that can be added and filtered: NaN and what is below 0 become 0, what a half float can't
