@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include <csignal>
 #include <fstream>
@@ -159,7 +160,9 @@ TEST(Outcome, NotGradableWhenTheJudgeDies) {
   const TemporaryFolder results;
   Running running(words({"grade", "mirror", solution.path(), "--out", results.path() / "out"}));
   pid_t judge = 0;
-  for (int i = 0; i < 20000 && !judge; ++i) judge = childNamed(running.pid(), "judge");
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  while (!judge && std::chrono::steady_clock::now() < end)
+    judge = childNamed(running.pid(), "judge");
   ASSERT_NE(judge, 0) << running.errors();
   kill(judge, SIGKILL);
   const Ended ended = running.wait(60);
