@@ -77,7 +77,8 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
     happened.outcome = outcome;
     happened.detail = std::move(detail);
   };
-  if (run.end == End::interrupted) throw Interrupted{};
+  // Ctrl-C reaches the whole group: the program may have died of it before the wait was broken off.
+  if (run.end == End::interrupted || interrupted) throw Interrupted{};
   if (run.end == End::setupFailed) {
     set(Outcome::notGradable, "the sandbox could not start: " + run.detail);
   } else if (!capture.error.empty()) {
@@ -171,7 +172,8 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
   Happened happened;
   happened.seconds = run.wallSeconds;
   happened.output = report::sanitize(run.standardOutput + run.standardError);
-  if (run.end == End::interrupted) throw Interrupted{};
+  // Ctrl-C reaches the whole group: the program may have died of it before the wait was broken off.
+  if (run.end == End::interrupted || interrupted) throw Interrupted{};
   if (run.end == End::setupFailed) {
     happened.outcome = Outcome::notGradable;
     happened.detail = "the sandbox could not start: " + run.detail;
