@@ -1,6 +1,7 @@
 #include "report/inspect_parts.hpp"
 
 #include "report/inspect_words.hpp"
+#include "trace/pixels.hpp"
 
 #include <GL/glcorearb.h>
 #include <fmt/format.h>
@@ -68,26 +69,6 @@ std::string scaleWords(const PagePixels& pixels) {
   return pixels.scale;
 }
 
-std::string_view typeName(std::uint32_t type) {
-  switch (static_cast<PixelType>(type)) {
-  case PixelType::u8x4:
-    return "u8x4";
-  case PixelType::f16x4:
-    return "f16x4";
-  case PixelType::f32x4:
-    return "f32x4";
-  case PixelType::f32x1:
-    return "f32x1";
-  case PixelType::u8x1:
-    return "u8x1";
-  case PixelType::i32x4:
-    return "i32x4";
-  case PixelType::u32x4:
-    return "u32x4";
-  }
-  return "";
-}
-
 Data pictureOf(const FilmParts& parts, const PagePixels& pixels) {
   const CopyRecord& copy = *pixels.copy;
   const PassRecord& pass = parts.graph.pass(copy.pass);
@@ -96,7 +77,7 @@ Data pictureOf(const FilmParts& parts, const PagePixels& pixels) {
   Data data(Data::type::object);
   data["name"] = Data(name);
   data["picture"] = pixels.picture.empty() ? Data(false) : Data(pixels.picture);
-  data["type"] = Data(std::string(typeName(copy.type)));
+  data["type"] = Data(trace::pixelTypeName(static_cast<PixelType>(copy.type)));
   data["width"] = Data(std::to_string(copy.width));
   data["height"] = Data(std::to_string(copy.height));
   data["values"] = pixels.values.empty()

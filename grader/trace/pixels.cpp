@@ -37,6 +37,26 @@ int channelsOf(PixelType type) {
   return type == PixelType::f32x1 || type == PixelType::u8x1 ? 1 : 4;
 }
 
+const char* pixelTypeName(PixelType type) {
+  switch (type) {
+  case PixelType::u8x4:
+    return "u8x4";
+  case PixelType::f16x4:
+    return "f16x4";
+  case PixelType::f32x4:
+    return "f32x4";
+  case PixelType::f32x1:
+    return "f32x1";
+  case PixelType::u8x1:
+    return "u8x1";
+  case PixelType::i32x4:
+    return "i32x4";
+  case PixelType::u32x4:
+    return "u32x4";
+  }
+  return "";
+}
+
 Image decodePixels(std::span<const std::byte> bytes, PixelType type, std::uint32_t width,
                    std::uint32_t height) {
   if (bytes.size() != std::uint64_t{width} * height * bytesPerPixel(type) || bytes.empty())

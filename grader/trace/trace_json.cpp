@@ -1,3 +1,4 @@
+#include "trace/pixels.hpp"
 #include "trace/trace.hpp"
 
 #include <charconv>
@@ -66,26 +67,6 @@ const char* kindName(ImageKind kind) {
     return "texture";
   case ImageKind::renderbuffer:
     return "renderbuffer";
-  }
-  return "";
-}
-
-const char* typeName(PixelType type) {
-  switch (type) {
-  case PixelType::u8x4:
-    return "u8x4";
-  case PixelType::f16x4:
-    return "f16x4";
-  case PixelType::f32x4:
-    return "f32x4";
-  case PixelType::f32x1:
-    return "f32x1";
-  case PixelType::u8x1:
-    return "u8x1";
-  case PixelType::i32x4:
-    return "i32x4";
-  case PixelType::u32x4:
-    return "u32x4";
   }
   return "";
 }
@@ -181,7 +162,7 @@ json copyJson(const Trace& trace, const CopyRecord& copy, const CopyFiles& files
   json one = {
       {"attachment", attachmentName(copy.attachment)},
       {"step", copy.step == kNone ? json() : json(copy.step - trace.passes[copy.pass].firstStep)},
-      {"type", typeName(static_cast<PixelType>(copy.type))},
+      {"type", pixelTypeName(static_cast<PixelType>(copy.type))},
       {"width", copy.width},
       {"height", copy.height}};
   if (!files.image.empty()) {
