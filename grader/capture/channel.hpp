@@ -10,7 +10,8 @@
 ///
 /// Layout: Header; trace::Tables if passes are recorded; `plan.frameCount` slots of
 /// `plan.slotBytes` bytes, each holding one frame as width x height x 4 bytes RGBA, row 0 at the
-/// bottom (as OpenGL has it); `plan.trace.copyBytes` bytes of copies. Each starts at a page.
+/// bottom (as OpenGL has it); `plan.trace.copyBytes` bytes of copies; `plan.replacementBytes` bytes
+/// of pixels that the judging side has written. Each starts at a page.
 
 #include "trace/records.hpp"
 
@@ -21,9 +22,10 @@
 namespace ggrade::channel {
 
 inline constexpr std::uint32_t kMagic = 0x31434747; ///< "GGC1"
-inline constexpr std::uint32_t kVersion = 2;
+inline constexpr std::uint32_t kVersion = 3;
 inline constexpr std::uint32_t kMaxFrames = 64;
 inline constexpr std::uint32_t kMaxMessages = 64;
+inline constexpr std::uint32_t kMaxReplacements = 32;
 inline constexpr std::uint32_t kMaxSide = 16384; ///< pixels
 /// Environment variable that names the descriptor of the channel.
 inline constexpr char kDescriptorVariable[] = "GG_CAPTURE_FD";
@@ -40,15 +42,39 @@ struct PlannedFrame {
   std::uint32_t height; ///< framebuffer pixels, 0 or 1 to kMaxSide
 };
 
+/// Pixels that take the place of what a pass of frame 0 left in one of its attachments, as soon as
+/// the pass has ended and before its copies are made. The attachment must be a level of a texture,
+/// not multisampled, with all its layers, or encoded as sRGB; of exactly this size and internal
+/// format. Stencil that lies in the same texture as depth is kept.
+struct Replacement {
+  std::uint32_t pass;       ///< index in the table of passes
+  std::uint32_t attachment; ///< 0 to 7 colour, or trace::kDepth
+  std::uint32_t type;   ///< trace::PixelType; f32x1 for depth, neither f32x1 nor u8x1 for colour
+  std::uint32_t format; ///< internal format
+  std::uint32_t width, height; ///< pixels
+  std::uint64_t offset;        ///< in bytes, from the start of all replacements
+  std::uint64_t bytes;         ///< row 0 at the bottom
+};
+
+/// What has become of a replacement.
+enum class ReplacementAnswer : std::uint32_t {
+  notReached = 0, ///< there was no such pass in frame 0, or it has not ended
+  done,
+  otherImage, ///< the attachment is of another kind, size or format; nothing was changed
+  refused,    ///< GL did not take the pixels
+};
+
 /// Written by the judging side before the program starts, never afterwards.
 struct Plan {
   std::uint32_t magic;
   std::uint32_t version;
-  std::uint32_t frameCount; ///< 1 to kMaxFrames
-  std::uint32_t reserved;
+  std::uint32_t frameCount;       ///< 1 to kMaxFrames
+  std::uint32_t replacementCount; ///< 0 to kMaxReplacements; none without passes
   std::uint64_t slotBytes; ///< capacity of one frame; a larger window is reported, not written
   trace::Request trace;    ///< what to record of the passes
   PlannedFrame frames[kMaxFrames];
+  std::uint64_t replacementBytes; ///< of the pixels of all replacements
+  Replacement replacements[kMaxReplacements];
 };
 
 enum class MessageKind : std::uint32_t {
@@ -98,6 +124,7 @@ struct Header {
   char glRenderer[128]; ///< GL_RENDERER
   FrameRecord frames[kMaxFrames];
   Message messages[kMaxMessages];
+  std::uint32_t replacements[kMaxReplacements]; ///< ReplacementAnswer to each of the plan's
 };
 
 static_assert(std::is_trivially_copyable_v<Header>);
@@ -106,6 +133,9 @@ static_assert(sizeof(Message) == 256);
 inline constexpr std::uint64_t kPage = 4096;
 /// Most room for copies that a plan may ask for.
 inline constexpr std::uint64_t kMaxCopyBytes = std::uint64_t{2} << 30;
+
+/// Most room that the pixels of all replacements together may take.
+inline constexpr std::uint64_t kMaxReplacementBytes = std::uint64_t{512} << 20;
 
 constexpr std::uint64_t pageAligned(std::uint64_t bytes) {
   return (bytes + kPage - 1) / kPage * kPage;
@@ -128,9 +158,15 @@ constexpr std::uint64_t copiesOffset(const Plan& plan) {
   return pageAligned(slotOffset(plan, plan.frameCount));
 }
 
+/// Offset in bytes of the replacements' pixels.
+constexpr std::uint64_t replacementsOffset(const Plan& plan) {
+  return pageAligned(copiesOffset(plan) + plan.trace.copyBytes);
+}
+
 /// Size of the whole file in bytes.
 constexpr std::uint64_t totalBytes(const Plan& plan) {
-  return copiesOffset(plan) + plan.trace.copyBytes;
+  return plan.replacementCount ? replacementsOffset(plan) + plan.replacementBytes
+                               : copiesOffset(plan) + plan.trace.copyBytes;
 }
 
 } // namespace ggrade::channel

@@ -1,5 +1,6 @@
 #include "capture/channel_reader.hpp"
 
+#include "capture/channel_plan.hpp"
 #include "capture/checker.hpp"
 #include "capture/tables_reader.hpp"
 
@@ -9,15 +10,12 @@
 #include <cstring>
 #include <fcntl.h>
 #include <memory>
-#include <stdexcept>
 #include <sys/mman.h>
 #include <system_error>
 #include <unistd.h>
 
 namespace ggrade::channel {
 namespace {
-
-constexpr std::uint64_t kMaxPixels = std::uint64_t{kMaxSide} * kMaxSide;
 
 [[noreturn]] void throwSystem(const char* what) {
   throw std::system_error(errno, std::generic_category(), what);
@@ -36,53 +34,6 @@ void readAll(int descriptor, void* to, std::uint64_t bytes, std::uint64_t offset
     offset += static_cast<std::uint64_t>(got);
     bytes -= static_cast<std::uint64_t>(got);
   }
-}
-
-void writePlan(int descriptor, const Plan& plan) {
-  std::vector<char> bytes(sizeof(Plan));
-  std::memcpy(bytes.data(), &plan, sizeof(Plan));
-  if (pwrite(descriptor, bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throwSystem("cannot write the capture plan");
-  }
-}
-
-template <typename Require>
-void requirePossible(const trace::Request& trace, const Require& require) {
-  for (const std::uint32_t flag :
-       {trace.passes, trace.windowCopies, trace.renderbufferCopies, trace.stepCopies, trace.times})
-    require(flag <= 1, "what is recorded is 0 or 1");
-  require(trace.copies < 1U << trace::kAttachments, "copies are of attachments 0 to 9");
-  require(trace.copyFrames <= kMaxFrames, "copies are made in 64 frames at most");
-  require(trace.copyBytes <= kMaxCopyBytes, "there is room for 2 GiB of copies at most");
-  require(trace.reserved == 0, "what is reserved is 0");
-  require(trace.passes != 0 || (trace.copies == 0 && trace.copyBytes == 0 && trace.times == 0),
-          "nothing is recorded of passes without the passes");
-}
-
-Plan makePlan(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels,
-              const trace::Request& trace) {
-  const auto require = [](bool met, const std::string& rule) {
-    if (!met) throw std::invalid_argument("capture plan: " + rule);
-  };
-  require(!frames.empty() && frames.size() <= kMaxFrames,
-          "there are 1 to 64 frames, not " + std::to_string(frames.size()));
-  require(maxPixels > 0 && maxPixels <= kMaxPixels, "a frame has 1 to 16384 x 16384 pixels");
-  Plan plan{};
-  plan.magic = kMagic;
-  plan.version = kVersion;
-  plan.frameCount = static_cast<std::uint32_t>(frames.size());
-  std::uint64_t pixels = 0;
-  for (const PlannedFrame& frame : frames) {
-    require(std::isfinite(frame.time) && frame.time >= 0, "a time is finite and not negative");
-    require(frame.width <= kMaxSide && frame.height <= kMaxSide, "a side has 16384 pixels at most");
-    const bool open = frame.width == 0 || frame.height == 0;
-    pixels = std::max(pixels, open ? maxPixels : std::uint64_t{frame.width} * frame.height);
-  }
-  requirePossible(trace, require);
-  plan.slotBytes = 4 * pixels;
-  std::copy(frames.begin(), frames.end(), plan.frames);
-  plan.trace = trace;
-  return plan;
 }
 
 /// `passes`: how many were recorded.
@@ -214,6 +165,34 @@ trace::Trace readTables(int descriptor, const Header& header, const trace::Count
   return trace;
 }
 
+/// The answers to what was planned. `trace` has been checked: what is said to be done must have
+/// been possible there.
+bool readAnswers(Checker& check, const Header& header, const Plan& plan, const trace::Trace& trace,
+                 std::vector<ReplacementAnswer>& to) {
+  for (std::uint32_t i = 0; i < plan.replacementCount; ++i) {
+    const Replacement& planned = plan.replacements[i];
+    const std::uint32_t answer = header.replacements[i];
+    const std::string at = element("replacements", i);
+    if (!check.atMost(at + "answer", answer,
+                      static_cast<std::uint32_t>(ReplacementAnswer::refused)))
+      return false;
+    to.push_back(static_cast<ReplacementAnswer>(answer));
+    if (to.back() != ReplacementAnswer::done) continue;
+    if (!check.range(at + "pass", planned.pass, 1, trace.passes.size())) return false;
+    const trace::PassRecord& pass = trace.passes[planned.pass];
+    const trace::ImageRef& image = pass.images[planned.attachment];
+    if (!check.equal(at + "frame", pass.frame, 0) ||
+        !check.equal(at + "kind", image.kind,
+                     static_cast<std::uint32_t>(trace::ImageKind::texture)) ||
+        !check.equal(at + "samples", image.samples, 0) ||
+        !check.equal(at + "format", image.format, planned.format) ||
+        !check.equal(at + "width", image.width, planned.width) ||
+        !check.equal(at + "height", image.height, planned.height))
+      return false;
+  }
+  return true;
+}
+
 /// The bytes of the copies, whose places have been checked.
 void readCopies(int descriptor, std::uint64_t offset, trace::Trace& trace) {
   if (trace.copies.empty()) return;
@@ -225,15 +204,15 @@ void readCopies(int descriptor, std::uint64_t offset, trace::Trace& trace) {
 } // namespace
 
 Channel::Channel(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels,
-                 const trace::Request& trace)
-    : plan_(makePlan(frames, maxPixels, trace)),
+                 const trace::Request& trace, const std::vector<PassPixels>& replacements)
+    : plan_(makePlan(frames, maxPixels, trace, replacements)),
       descriptor_(memfd_create("ggrade-capture", MFD_CLOEXEC | MFD_ALLOW_SEALING)) {
   if (descriptor_ < 0) throwSystem("cannot create the capture channel");
   try {
     if (ftruncate(descriptor_, static_cast<off_t>(totalBytes(plan_))) != 0) {
       throwSystem("cannot size the capture channel");
     }
-    writePlan(descriptor_, plan_);
+    writePlan(descriptor_, plan_, replacements);
     // A child that shrinks the file would kill whoever has it mapped; one that grows it would take
     // memory for itself.
     if (fcntl(descriptor_, F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL) != 0) {
@@ -269,7 +248,8 @@ Capture Channel::read() const {
   }
   if (plan_.trace.passes) {
     capture.trace = readTables(descriptor_, *header, counts);
-    if (!checkTables(checker, capture.trace, header->framesDone, counts.copyBytes)) {
+    if (!checkTables(checker, capture.trace, header->framesDone, counts.copyBytes) ||
+        !readAnswers(checker, *header, plan_, capture.trace, capture.replacements)) {
       return refused(checker.error);
     }
     readCopies(descriptor_, copiesOffset(plan_), capture.trace);

@@ -48,7 +48,19 @@ struct Capture {
   std::vector<CapturedFrame> frames; ///< as many as were swapped, at most the plan's
   std::vector<CapturedMessage> messages;
   std::uint32_t messagesLost = 0;
-  trace::Trace trace; ///< empty unless the plan asked for passes
+  trace::Trace trace;                          ///< empty unless the plan asked for passes
+  std::vector<ReplacementAnswer> replacements; ///< one to each that was planned
+};
+
+/// Pixels to be put in place of what a pass of frame 0 leaves; Replacement (channel.hpp) says in
+/// which images. Depth is exact in images of 16 and 24 bits and of floats.
+struct PassPixels {
+  std::uint32_t pass = 0; ///< index in the trace
+  std::uint32_t attachment = 0;
+  trace::PixelType type = trace::PixelType::u8x4;
+  std::uint32_t format = 0; ///< internal format
+  std::uint32_t width = 0, height = 0;
+  std::vector<std::byte> pixels; ///< as Trace::bytesOf gives them: row 0 on top
 };
 
 /// Pixels of the largest frame that is accepted from a program that chooses its window's size
@@ -62,7 +74,8 @@ public:
   /// counts for frames that leave a side to the program. Throws std::invalid_argument for an
   /// impossible plan, std::system_error when the system refuses.
   explicit Channel(const std::vector<PlannedFrame>& frames,
-                   std::uint64_t maxPixels = kDefaultMaxPixels, const trace::Request& trace = {});
+                   std::uint64_t maxPixels = kDefaultMaxPixels, const trace::Request& trace = {},
+                   const std::vector<PassPixels>& replacements = {});
   ~Channel();
   Channel(const Channel&) = delete;
   Channel& operator=(const Channel&) = delete;

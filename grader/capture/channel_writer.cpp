@@ -39,6 +39,29 @@ const char* faultOf(const trace::Request& request) {
   return nullptr;
 }
 
+const char* faultOfReplacements(const Plan& plan) {
+  if (plan.replacementCount > channel::kMaxReplacements ||
+      (plan.replacementCount > 0 && !plan.trace.passes))
+    return "number of replacements out of range";
+  if (plan.replacementBytes > channel::kMaxReplacementBytes)
+    return "room for replacements out of range";
+  for (std::uint32_t i = 0; i < plan.replacementCount; ++i) {
+    const channel::Replacement& one = plan.replacements[i];
+    const bool depth = one.attachment == trace::kDepth;
+    const auto type = static_cast<trace::PixelType>(one.type);
+    if (!depth && one.attachment >= trace::kColors) return "attachment to replace out of range";
+    if (depth != (type == trace::PixelType::f32x1) || type == trace::PixelType::u8x1)
+      return "type of a replacement out of range";
+    if (one.width > channel::kMaxSide || one.height > channel::kMaxSide || one.bytes == 0 ||
+        one.bytes != trace::bytesPerPixel(type) * one.width * one.height)
+      return "size of a replacement out of range";
+    if (one.offset % 16 != 0 || one.offset > plan.replacementBytes ||
+        one.bytes > plan.replacementBytes - one.offset)
+      return "place of a replacement out of range";
+  }
+  return nullptr;
+}
+
 /// The plan is copied first: what is checked is what is used.
 const char* faultOf(const Plan& plan) {
   if (plan.magic != channel::kMagic) return "not a capture channel";
@@ -53,7 +76,8 @@ const char* faultOf(const Plan& plan) {
     if (frame.width > channel::kMaxSide || frame.height > channel::kMaxSide)
       return "frame size out of range";
   }
-  return faultOf(plan.trace);
+  if (const char* const fault = faultOf(plan.trace)) return fault;
+  return faultOfReplacements(plan);
 }
 
 class Writer {
@@ -113,6 +137,10 @@ public:
 
   void ended() {
     if (header_) header_->endedByCapture = 1;
+  }
+
+  void answer(std::uint32_t index, channel::ReplacementAnswer answer) {
+    if (header_) header_->replacements[index] = static_cast<std::uint32_t>(answer);
   }
 
   void frame(const channel::FrameRecord& record, const std::uint8_t* pixels) {
@@ -196,6 +224,14 @@ trace::Tables* recordTables() {
 
 std::byte* recordCopies() {
   return recordsPasses ? writer().at<std::byte>(channel::copiesOffset(*plan())) : nullptr;
+}
+
+const std::byte* replacementPixels(const channel::Replacement& replacement) {
+  return writer().at<std::byte>(channel::replacementsOffset(*plan()) + replacement.offset);
+}
+
+void answerReplacement(std::uint32_t index, channel::ReplacementAnswer answer) {
+  writer().answer(index, answer);
 }
 
 void setMessagePass(std::uint32_t pass) {

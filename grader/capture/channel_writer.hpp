@@ -22,6 +22,11 @@ extern bool recordsPasses;
 trace::Tables* recordTables();
 std::byte* recordCopies();
 
+/// The pixels of a replacement of `plan()`, row 0 at the bottom; aligned for any value.
+const std::byte* replacementPixels(const channel::Replacement& replacement);
+/// Says what has become of the plan's replacement of that index.
+void answerReplacement(std::uint32_t index, channel::ReplacementAnswer answer);
+
 /// Messages of this thread come from this pass from now on; kNone: from none.
 void setMessagePass(std::uint32_t pass);
 

@@ -8,7 +8,7 @@ function(ggrade_capture_program name source)
 endfunction()
 find_package(glfw3 3.3 REQUIRED)
 foreach(name triangle resized two_windows errors framebuffer_left_bound encodes_srgb lit_scene threaded passes samples
-    formats state_kept hostile_passes)
+    formats replaced state_kept hostile_passes)
   ggrade_capture_program(${name} ${name}.cpp gg_glad)
 endforeach()
 foreach(name compatible compatible_passes ignores_close waits_for_time calls_missing)
@@ -33,6 +33,7 @@ ggrade_test(capture_test gl
     ${CMAKE_CURRENT_LIST_DIR}/capture_recorder_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_recorder_copies_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_recorder_limits_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/capture_replacements_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_run_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_traces.cpp
   LIBRARIES ggrade_channel TIMEOUT 120)

@@ -69,7 +69,8 @@ CaptureRun runWithDescriptor(const std::string& program, int descriptor,
 
 CaptureRun runCaptured(const std::string& program, const std::vector<channel::PlannedFrame>& frames,
                        const CaptureOptions& options) {
-  const channel::Channel channel(frames, channel::kDefaultMaxPixels, options.trace);
+  const channel::Channel channel(frames, channel::kDefaultMaxPixels, options.trace,
+                                 options.replacements);
   CaptureRun run = runWithDescriptor(program, channel.descriptor(), options);
   run.capture = channel.read();
   return run;

@@ -22,6 +22,7 @@ struct CaptureOptions {
   std::vector<std::string> arguments;
   std::vector<std::pair<std::string, std::string>> environment;
   trace::Request trace{}; ///< what to record of the passes
+  std::vector<channel::PassPixels> replacements{};
 };
 
 /// `program` is a name in the folder of test programs. It is killed after a minute.

@@ -114,6 +114,31 @@ TEST(CapturePlan, IsRefusedWithAReason) {
       {"slot size out of range", [](channel::Plan& plan) { plan.slotBytes = ~std::uint64_t{0}; }},
       {"frame time out of range", [](channel::Plan& plan) { plan.frames[0].time = -1; }},
       {"frame size out of range", [](channel::Plan& plan) { plan.frames[0].width = 16385; }},
+      {"number of replacements out of range",
+       [](channel::Plan& plan) { plan.replacementCount = 33, plan.trace.passes = 1; }},
+      {"number of replacements out of range",
+       [](channel::Plan& plan) { plan.replacementCount = 1; }},
+      {"attachment to replace out of range",
+       [](channel::Plan& plan) {
+         plan.trace.passes = plan.replacementCount = 1;
+         plan.replacements[0].attachment = 9;
+       }},
+      {"type of a replacement out of range",
+       [](channel::Plan& plan) {
+         plan.trace.passes = plan.replacementCount = 1;
+         plan.replacements[0].attachment = trace::kDepth;
+       }},
+      {"size of a replacement out of range",
+       [](channel::Plan& plan) {
+         plan.trace.passes = plan.replacementCount = 1;
+         plan.replacements[0] = {0, 0, 1, 0, 2, 2, 0, 15};
+       }},
+      {"place of a replacement out of range",
+       [](channel::Plan& plan) {
+         plan.trace.passes = plan.replacementCount = 1;
+         plan.replacementBytes = 16;
+         plan.replacements[0] = {0, 0, 1, 0, 2, 2, 16, 16};
+       }},
       {"the file is smaller than its plan", [](channel::Plan& plan) { plan.frameCount = 64; }},
   };
   for (const Case& bad : cases) {

@@ -150,28 +150,6 @@ ColorFormat colorFormat(GLenum point) {
   }
 }
 
-struct ReadFormat {
-  GLenum format;
-  GLenum type;
-};
-
-ReadFormat readFormat(PixelType type, std::uint32_t attachment) {
-  if (isDepth(attachment)) return {GL_DEPTH_COMPONENT, GL_FLOAT};
-  if (isStencil(attachment)) return {GL_STENCIL_INDEX, GL_UNSIGNED_BYTE};
-  switch (type) {
-  case PixelType::u8x4:
-    return {GL_RGBA, GL_UNSIGNED_BYTE};
-  case PixelType::f16x4:
-    return {GL_RGBA, GL_HALF_FLOAT};
-  case PixelType::i32x4:
-    return {GL_RGBA_INTEGER, GL_INT};
-  case PixelType::u32x4:
-    return {GL_RGBA_INTEGER, GL_UNSIGNED_INT};
-  default:
-    return {GL_RGBA, GL_FLOAT};
-  }
-}
-
 /// Reads the image, whose values GL gives as encoded, as bytes into the end of the room, and
 /// decodes them from there to the whole of it.
 void readSrgb(GLsizei width, GLsizei height, std::byte* room, std::uint64_t bytes) {
@@ -197,6 +175,25 @@ void readSrgb(GLsizei width, GLsizei height, std::byte* room, std::uint64_t byte
 }
 
 } // namespace
+
+PixelFormat pixelFormat(PixelType type) {
+  switch (type) {
+  case PixelType::f32x1:
+    return {GL_DEPTH_COMPONENT, GL_FLOAT};
+  case PixelType::u8x1:
+    return {GL_STENCIL_INDEX, GL_UNSIGNED_BYTE};
+  case PixelType::u8x4:
+    return {GL_RGBA, GL_UNSIGNED_BYTE};
+  case PixelType::f16x4:
+    return {GL_RGBA, GL_HALF_FLOAT};
+  case PixelType::i32x4:
+    return {GL_RGBA_INTEGER, GL_INT};
+  case PixelType::u32x4:
+    return {GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+  default:
+    return {GL_RGBA, GL_FLOAT};
+  }
+}
 
 ImageReader::ImageReader(GLuint& framebuffer) {
   if (!framebuffer) gl().createFramebuffers(1, &framebuffer);
@@ -243,7 +240,7 @@ std::uint32_t ImageReader::copy(const ImageRef& image, trace::CopyRecord record,
   if (format.srgb) {
     readSrgb(width, height, room, record.bytes);
   } else {
-    const ReadFormat read = readFormat(format.type, record.attachment);
+    const PixelFormat read = pixelFormat(format.type);
     gl().readPixels(0, 0, width, height, read.format, read.type, room);
   }
   if (gl().getError() != GL_NO_ERROR) {

@@ -10,6 +10,12 @@
 
 namespace ggrade::capture::recorder {
 
+/// GL's words for pixels in memory.
+struct PixelFormat {
+  GLenum format, type;
+};
+PixelFormat pixelFormat(trace::PixelType type);
+
 /// Reads images in one go. The context must be current, its errors collected and its messages
 /// silenced.
 class ImageReader {

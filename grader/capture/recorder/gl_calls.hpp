@@ -46,6 +46,7 @@ struct GlCalls {
   GG_CALL(getSamplerParameteriv, glGetSamplerParameteriv);
   GG_CALL(getTextureLevelParameteriv, glGetTextureLevelParameteriv);
   GG_CALL(getTextureParameteriv, glGetTextureParameteriv);
+  GG_CALL(getTextureSubImage, glGetTextureSubImage);
   GG_CALL(getUniformLocation, glGetUniformLocation);
   GG_CALL(getUniformfv, glGetUniformfv);
   GG_CALL(getUniformiv, glGetUniformiv);
@@ -65,6 +66,8 @@ struct GlCalls {
   GG_CALL(pixelStorei, glPixelStorei);
   GG_CALL(pixelTransferf, glPixelTransferf);
   GG_CALL(readPixels, glReadPixels);
+  GG_CALL(textureSubImage2D, glTextureSubImage2D);
+  GG_CALL(textureSubImage3D, glTextureSubImage3D);
 #undef GG_CALL
 };
 

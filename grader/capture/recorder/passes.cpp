@@ -3,6 +3,7 @@
 #include "capture/channel_writer.hpp"
 #include "capture/recorder/copies.hpp"
 #include "capture/recorder/gl_calls.hpp"
+#include "capture/recorder/replacements.hpp"
 #include "capture/recorder/session.hpp"
 
 #include <algorithm>
@@ -138,6 +139,7 @@ void endPass(Session& session) {
   if (session.shared().request.times) pass.record.seconds = secondsOf(pass);
   endStep(session, pass);
   if (!pass.otherWrites.empty()) gl().memoryBarrier(GL_ALL_BARRIER_BITS);
+  replaceOutputs(pass);
   copyAttachments(session, pass, pass.record.written, kNone);
   noteWriters(session, pass);
   if (pass.index != kNone) {
