@@ -166,7 +166,8 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
     command.collectInto = folder / id;
   }
   command.workingDirectory = at.work;
-  command.limits.wallSeconds = command.limits.cpuSeconds = kBuildSeconds;
+  command.limits.cpuSeconds = kBuildSeconds;
+  command.limits.wallSeconds = kWallFactor * kBuildSeconds;
   const sandbox::Result run = sandbox::run(command, isolation, &interrupted);
 
   Happened happened;
@@ -238,7 +239,8 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   }
   command.workingDirectory = isolation == Isolation::bwrap ? fs::path("/scratch") : sceneFolder;
   command.inheritedDescriptor = channel.descriptor();
-  command.limits.wallSeconds = command.limits.cpuSeconds = kRunSeconds;
+  command.limits.cpuSeconds = kRunSeconds;
+  command.limits.wallSeconds = kWallFactor * kRunSeconds;
 
   return runCaptured(command, isolation, channel, times.size());
 }

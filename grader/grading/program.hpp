@@ -9,8 +9,10 @@
 
 namespace ggrade::grading {
 
-/// A run may take so long.
+/// A run may take so much processor time: a busy machine must not cost a student points.
 inline constexpr double kRunSeconds = 10;
+/// And so many times that by the clock, for a program that waits forever.
+inline constexpr double kWallFactor = 3;
 
 /// What happened when a submission was built or run, in the contract's terms.
 struct Happened {

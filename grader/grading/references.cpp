@@ -182,7 +182,8 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
                                  {},
                                  add(reference, scene.scene, everything),
                                  add(stub, scene.scene, everything),
-                                 {}};
+                                 {},
+                                 scene.like};
     for (const auto& [name, probe] : scene.probes)
       folders.probes[name] = add(reference, probe, nothing);
     all.scenes.push_back(std::move(folders));

@@ -57,6 +57,38 @@ private:
   std::mt19937_64 engine_;
 };
 
+/// `change` with `plus` and `times` worked out from the values of `base` at the same places.
+json changed(const json& base, const json& change, const std::string& where) {
+  const bool plus = change.is_object() && change.size() == 1 && change.contains("plus");
+  const bool times = change.is_object() && change.size() == 1 && change.contains("times");
+  if (!plus && !times) {
+    json to = change;
+    if (change.is_object())
+      for (const auto& [key, value] : change.items())
+        to[key] = changed(base.is_object() ? base.value(key, json()) : json(), value,
+                          where.empty() ? key : where + "." + key);
+    return to;
+  }
+  const json& by = change[plus ? "plus" : "times"];
+  const auto one = [&](const json& from, const json& step) -> json {
+    if (!from.is_number() || !step.is_number())
+      throw UsageError(
+          fmt::format("{}: plus and times need numbers in the scene that it is like", where));
+    const double value =
+        plus ? from.get<double>() + step.get<double>() : from.get<double>() * step.get<double>();
+    if (from.is_number_integer()) return std::int64_t(std::llround(value));
+    return std::round(value * 1e4) / 1e4;
+  };
+  if (!base.is_array()) return one(base, by);
+  if (by.is_array() && by.size() != base.size())
+    throw UsageError(fmt::format("{}: {} values where the scene that it is like has {}", where,
+                                 by.size(), base.size()));
+  json all = json::array();
+  for (std::size_t i = 0; i < base.size(); ++i)
+    all.push_back(one(base[i], by.is_array() ? by[i] : by));
+  return all;
+}
+
 bool shareATag(const std::vector<std::string>& a, const std::vector<std::string>& b) {
   return std::find_first_of(a.begin(), a.end(), b.begin(), b.end()) != a.end();
 }
@@ -128,15 +160,33 @@ ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder,
       const std::vector<std::string> parts = partsOf(declared, target);
       const auto graded = [&](const std::string& part) { return target.covers(part); };
       if (!std::all_of(parts.begin(), parts.end(), graded)) continue;
+      // Where several parts are graded, equal names of theirs are told apart.
+      const bool prefixed = target.parts.size() > 1 && declared.contains("parts");
+      const auto nameOf = [&](const std::string& name, const std::vector<std::string>& of) {
+        return prefixed ? fmt::format("{}: {}", fmt::join(of, " + "), name) : name;
+      };
       SceneCase one;
-      one.name = declared.at("name");
-      if (target.parts.size() > 1 && declared.contains("parts"))
-        one.name = fmt::format("{}: {}", fmt::join(parts, " + "), one.name);
+      one.name = nameOf(declared.at("name"), parts);
       one.isPublic = declared.value("public", false);
       one.tags = declared.value("tags", std::vector<std::string>{});
-      one.times = drawer.draw(declared.at("times")).get<std::vector<double>>();
-      one.scene = partScene(target.assignment, parts);
-      one.scene.merge_patch(drawer.draw(declared.value("scene", json::object())));
+      if (declared.contains("like")) {
+        const json change = drawer.draw(declared.value("scene", json::object()));
+        const std::string base = nameOf(declared.at("like"), parts);
+        const auto found = std::find_if(plan.scenes.begin(), plan.scenes.end(),
+                                        [&](const SceneCase& scene) { return scene.name == base; });
+        if (found == plan.scenes.end())
+          throw UsageError(fmt::format("{}: like \"{}\": no earlier scene of these parts has that "
+                                       "name",
+                                       one.name, declared.at("like").get<std::string>()));
+        one.like = base;
+        one.times = {found->times.at(0)};
+        one.scene = found->scene;
+        one.scene.merge_patch(changed(found->scene, change, ""));
+      } else {
+        one.times = drawer.draw(declared.at("times")).get<std::vector<double>>();
+        one.scene = partScene(target.assignment, parts);
+        one.scene.merge_patch(drawer.draw(declared.value("scene", json::object())));
+      }
       for (const json& declaredProbe : probes) {
         const auto tags = declaredProbe.value("tags", std::vector<std::string>{});
         if (!tags.empty() && !shareATag(tags, one.tags)) continue;

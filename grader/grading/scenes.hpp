@@ -16,6 +16,7 @@ struct SceneCase {
   std::vector<std::string> tags; ///< what it can show; rubric items choose scenes by tag
   std::vector<double> times;     ///< seconds, one a frame
   nlohmann::json scene;          ///< a whole scene file
+  std::string like;              ///< the scene that this one is a change of; empty: of none
   /// Scenes that only the reference is rendered in, to learn where things are (masks) and what a
   /// feature changes: the scene with a patch merged over it. A probe with tags belongs to the
   /// scenes that share one.
@@ -30,8 +31,10 @@ struct ScenePlan {
 /// Draws the plan of `target` from `solutionFolder/scenes.json` and the assignment's scene.json. A
 /// scene with `"parts"` has these parts' settings, and is drawn where all of them are graded. In
 /// scenes.json a value `{"between": [a, b]}` is drawn evenly (numbers, or arrays component by
-/// component), `{"choose": [...]}` picks one; everything else stands as it is. The same seed gives
-/// the same plan on every machine. Throws UsageError, also for a scene outside of what
+/// component), `{"choose": [...]}` picks one; everything else stands as it is. A scene with `"like"`
+/// is an earlier scene of the same parts, at its first time, with `scene` as what has changed: there
+/// `{"plus": x}` and `{"times": x}` are counted from that scene's value. The same seed gives the same
+/// plan on every machine. Throws UsageError, also for a scene outside of what
 /// assignment.json declares.
 ScenePlan drawScenes(const Target& target, const std::filesystem::path& solutionFolder,
                      const std::uint64_t* seed);

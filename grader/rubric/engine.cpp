@@ -83,6 +83,14 @@ private:
   const std::map<std::string, json>& results_;
 };
 
+/// The scene that `scene` is a change of, if the submission has drawn all of it.
+const SceneEvidence* baseOf(const SceneEvidence& scene, const Evidence& evidence) {
+  for (const SceneEvidence& other : evidence.scenes)
+    if (!scene.like.empty() && other.name == scene.like && other.student.size() == other.frameCount)
+      return &other;
+  return nullptr;
+}
+
 } // namespace
 
 bool add(const std::string& item, Judge judge) {
@@ -107,12 +115,13 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
       message = fmt::format("the window is {} instead of {}", odd.second->sizeText(),
                             odd.first->sizeText());
     } else {
-      const Verdict verdict = checked(judge, {scene, scene.student, scene.studentTrace});
+      const Verdict verdict =
+          checked(judge, {scene, scene.student, scene.studentTrace, baseOf(scene, evidence)});
       message = verdict.message;
       credit = verdict.quality;
       // Nothing is left to scale where the student is as good as the reference.
       if (item.kind != report::ItemKind::keep && verdict.quality < 1) {
-        const double floor = checked(judge, {scene, scene.stub, scene.stubTrace}).quality;
+        const double floor = checked(judge, {scene, scene.stub, scene.stubTrace, nullptr}).quality;
         // Where the stub is as good as the reference, the scene can't show the item.
         if (floor > 0.99) continue;
         credit = std::clamp((verdict.quality - floor) / (1 - floor), 0.0, 1.0);

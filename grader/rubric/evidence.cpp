@@ -35,6 +35,7 @@ SceneEvidence readScene(const json& from) {
   scene.isPublic = from.at("public");
   scene.tags = from.at("tags").get<std::vector<std::string>>();
   scene.scene = from.at("scene");
+  scene.like = from.at("like");
   scene.frameCount = from.at("frames");
   scene.student = readImages(from.at("student"));
   scene.reference = readImages(from.at("reference"));
@@ -108,6 +109,7 @@ void writeEvidence(const fs::path& file, const fs::path& assignmentFolder,
                     {"public", scene.isPublic},
                     {"tags", scene.tags},
                     {"scene", scene.scene},
+                    {"like", scene.like},
                     {"frames", scene.frameCount},
                     {"student", scene.student.string()},
                     {"reference", scene.reference.string()},

@@ -39,6 +39,7 @@ struct SceneEvidence {
   bool isPublic = false;
   std::vector<std::string> tags;
   nlohmann::json scene;
+  std::string like; ///< name of the scene that this one is a change of; empty: of none
   std::size_t frameCount = 0;
   Frames student; ///< fewer than frameCount if the program didn't get that far
   Frames reference, stub;
@@ -63,6 +64,7 @@ struct SceneFolders {
   std::size_t frameCount = 0;
   std::filesystem::path student, reference, stub;
   std::map<std::string, std::filesystem::path> probes;
+  std::string like; ///< name of the scene that this one is a change of; empty: of none
 };
 
 void writeEvidence(const std::filesystem::path& file, const std::filesystem::path& assignmentFolder,

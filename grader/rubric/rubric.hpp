@@ -22,6 +22,9 @@ struct View {
   const SceneEvidence& scene;
   const Frames& frames;
   const trace::Trace& trace; ///< the passes that made them; with copies in the first frame
+  /// The scene that this one is a change of; null if there is none, or its student's frames never
+  /// came.
+  const SceneEvidence* base = nullptr;
 };
 
 /// How right the frames are: 1 is as good as the reference, 0 has nothing of it. Must be finite.

@@ -5,6 +5,7 @@
 // has drawn the reflection; only what the window shows counts.
 
 #include "rubric_common.hpp"
+#include "rubric_follows.hpp"
 #include "rubric_passes.hpp"
 
 #include <fmt/format.h>
@@ -320,6 +321,14 @@ GGRADE_ITEM("mirror.keep_picture", [](const View& view) -> Verdict {
 GGRADE_ITEM("mirror.keep_state", [](const View& view) {
   return laterFrames(view,
                      [&](std::size_t i, std::string& where) { return spoiled(view, i, where); });
+});
+
+GGRADE_ITEM("mirror.keep_following", [](const View& view) {
+  const Effect reflections = [](const View& of, std::size_t frame) {
+    return reflectedObjects(regionsOf(of.scene, frame), of.scene.probes.at("plain").at(frame),
+                            of.frames.at(frame));
+  };
+  return follows(view, reflections, "reflection");
 });
 
 /// Sums over `2 reach + 1` values along one line of `length` values that lie `step` apart.

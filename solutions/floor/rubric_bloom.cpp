@@ -8,6 +8,7 @@
 // for all.
 
 #include "rubric_common.hpp"
+#include "rubric_follows.hpp"
 #include "rubric_pyramid.hpp"
 
 #include <fmt/format.h>
@@ -260,6 +261,20 @@ GGRADE_ITEM("bloom.keep_picture", [](const View& view) -> Verdict {
 GGRADE_ITEM("bloom.keep_state", [](const View& view) {
   return laterFrames(view,
                      [&](std::size_t i, std::string& where) { return spoiled(view, i, where); });
+});
+
+GGRADE_ITEM("bloom.keep_following", [](const View& view) {
+  const Effect glow = [](const View& of, std::size_t frame) {
+    const Image& image = of.frames.at(frame);
+    const Image& without = of.scene.probes.at("no bloom").at(frame);
+    Mask brighter(image.width(), image.height());
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        for (int c = 0; c < 3; ++c)
+          if (image.at(x, y, c) > without.at(x, y, c) + kReach) brighter.set(x, y);
+    return brighter;
+  };
+  return follows(view, glow, "bloom");
 });
 
 GGRADE_ITEM("bloom.keep_together", [](const View& view) {

@@ -5,6 +5,7 @@
 // judged through a matrix of the submission's own.
 
 #include "rubric_common.hpp"
+#include "rubric_follows.hpp"
 #include "rubric_passes.hpp"
 
 #include <fmt/format.h>
@@ -330,6 +331,13 @@ GGRADE_ITEM("shadow.keep_picture", [](const View& view) -> Verdict {
 GGRADE_ITEM("shadow.keep_state", [](const View& view) {
   return laterFrames(view,
                      [&](std::size_t i, std::string& where) { return spoiled(view, i, where); });
+});
+
+GGRADE_ITEM("shadow.keep_following", [](const View& view) {
+  const Effect shadows = [](const View& of, std::size_t frame) {
+    return shadowIn(of, frame) & regionsOf(of, frame).floor;
+  };
+  return follows(view, shadows, "shadow");
 });
 
 double rms(const Image& a, const Image& b, const Mask& region) {

@@ -128,6 +128,49 @@ TEST_F(Scenes, OfPartsThatAreGradedTogetherHaveOnlyTheirOwnEffects) {
   EXPECT_EQ(plan.scenes[1].scene.at("ring").at("glow"), 4);
 }
 
+TEST_F(Scenes, OneLikeAnotherHasItsDrawsAndWhatChanged) {
+  const auto like = [](const json& change) {
+    json one = scene("b", change);
+    one.erase("times");
+    one["like"] = "a";
+    return one;
+  };
+  const auto whole = [](json base) {
+    base["times"] = {0.25, 4};
+    base["scene"]["size"] = {{"choose", {{300, 200}}}};
+    return base;
+  };
+  const ScenePlan plan = draw(
+      file({whole(scene("a", kLight)), like({{"size", {{"times", {1.25, 1}}}},
+                                             {"light", {{"position", {{"plus", {-1, 0, 0.5}}}}}},
+                                             {"camera", {{"fov", 0.5}}}})}));
+  const json& a = plan.scenes[0].scene;
+  json b = plan.scenes[1].scene;
+  EXPECT_EQ(plan.scenes[0].like, "");
+  EXPECT_EQ(plan.scenes[1].like, "a");
+  EXPECT_THAT(plan.scenes[1].times, ElementsAre(0.25)); // the first time of the other
+  EXPECT_EQ(b["size"], json({375, 200}));
+  EXPECT_EQ(b["camera"]["fov"], 0.5);
+  EXPECT_NEAR(b["light"]["position"][0].get<double>(), a["light"]["position"][0].get<double>() - 1,
+              1e-9);
+  EXPECT_EQ(b["light"]["position"][1], a["light"]["position"][1]);
+  EXPECT_NEAR(b["light"]["position"][2].get<double>(),
+              a["light"]["position"][2].get<double>() + 0.5, 1e-9);
+  b["size"] = a["size"];
+  b["light"]["position"] = a["light"]["position"];
+  b["camera"]["fov"] = a["camera"]["fov"];
+  EXPECT_EQ(b, a); // nothing else changed
+
+  EXPECT_THAT(problem(file({like({})})),
+              HasSubstr("b: like \"a\": no earlier scene of these parts has that name"));
+  EXPECT_THAT(problem(file({whole(scene("a", kLight)), like({{"mesh", {{"plus", 1}}}})})),
+              HasSubstr("mesh: plus and times need numbers"));
+  EXPECT_THAT(problem(file({whole(scene("a", kLight)), like({{"size", {{"times", {1, 2, 3}}}}})})),
+              HasSubstr("size: 3 values where the scene that it is like has 2"));
+  EXPECT_THAT(problem(file({whole(scene("a", kLight)), like({{"size", {{"plus", {-300, 0}}}}})})),
+              HasSubstr("size")); // checked like every scene
+}
+
 TEST_F(Scenes, MistakesNameTheFile) {
   const auto names = [](const std::string& what) {
     return AllOf(HasSubstr("scenes.json"), HasSubstr(what));
