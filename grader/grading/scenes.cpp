@@ -76,8 +76,10 @@ json changed(const json& base, const json& change, const std::string& where) {
           fmt::format("{}: plus and times need numbers in the scene that it is like", where));
     const double value =
         plus ? from.get<double>() + step.get<double>() : from.get<double>() * step.get<double>();
-    if (from.is_number_integer()) return std::int64_t(std::llround(value));
-    return std::round(value * 1e4) / 1e4;
+    const double rounded = std::round(value * 1e4) / 1e4;
+    // A size of pixels must stay a whole number where it can.
+    if (from.is_number_integer() && rounded == std::floor(rounded)) return std::int64_t(rounded);
+    return rounded;
   };
   if (!base.is_array()) return one(base, by);
   if (by.is_array() && by.size() != base.size())

@@ -31,11 +31,12 @@ struct ScenePlan {
 /// Draws the plan of `target` from `solutionFolder/scenes.json` and the assignment's scene.json. A
 /// scene with `"parts"` has these parts' settings, and is drawn where all of them are graded. In
 /// scenes.json a value `{"between": [a, b]}` is drawn evenly (numbers, or arrays component by
-/// component), `{"choose": [...]}` picks one; everything else stands as it is. A scene with `"like"`
-/// is an earlier scene of the same parts, at its first time, with `scene` as what has changed: there
-/// `{"plus": x}` and `{"times": x}` are counted from that scene's value. The same seed gives the same
-/// plan on every machine. Throws UsageError, also for a scene outside of what
-/// assignment.json declares.
+/// component), `{"choose": [...]}` picks one; everything else stands as it is. A scene with
+/// `"like"` is an earlier scene of the same parts, at its first time, with `scene` as what has
+/// changed: there
+/// `{"plus": x}` and `{"times": x}` are counted from that scene's value. The same seed gives the
+/// same plan on every machine. Throws UsageError, also for a scene outside of what assignment.json
+/// declares.
 ScenePlan drawScenes(const Target& target, const std::filesystem::path& solutionFolder,
                      const std::uint64_t* seed);
 

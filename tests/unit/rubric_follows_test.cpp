@@ -6,6 +6,7 @@
 
 using namespace ggrade;
 using namespace floor_rubric;
+using rubric::Frames;
 using testing::HasSubstr;
 
 namespace {
