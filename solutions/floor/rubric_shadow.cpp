@@ -55,6 +55,7 @@ Mask below(const Image& image, float value) {
 struct Regions {
   Mask floor, objects; // where light makes a difference, one pixel away from objects' outlines
   Mask shadow;         // of both
+  Mask averted;        // objects' sides that the light can't reach: light makes no difference there
 };
 
 const Regions& regionsOf(const View& view, std::size_t frame) {
@@ -67,6 +68,7 @@ const Regions& regionsOf(const View& view, std::size_t frame) {
     const Mask measurable = differenceMask(unlit, unshadowed, kLeastLight);
     const Mask objects = shown(probe(view, "objects", frame));
     regions.objects = erode(objects, 1) & measurable;
+    regions.averted = objects & ~measurable;
     regions.floor = shown(probe(view, "floor", frame)) & ~dilate(objects, 1) & measurable;
     regions.shadow = below(visibility(view.scene.reference.at(frame), unlit, unshadowed), 0.5f) &
                      (regions.objects | regions.floor);
@@ -112,10 +114,11 @@ GGRADE_ITEM("shadow.objects", [](const View& view) {
   });
 });
 
-/// Points on the objects that the light sees, and points behind which nothing hides, in world
-/// space.
+/// Points on the objects that the light sees, and points at its far plane between which and the
+/// light nothing but the floor can lie; world space.
 struct LightPoints {
   std::vector<glm::dvec4> surface, nothing;
+  glm::dvec4 light{0, 0, 0, 1};
 };
 
 /// From the reference's own map. Its shaders' names are ours to know.
@@ -135,6 +138,7 @@ const LightPoints& lightPoints(const View& view) {
         for (int i = 0; i < 16; ++i) (*to)[i / 4][i % 4] = double(record.values[i]);
     }
     const glm::dmat4 worldFromClip = glm::inverse(projection * lightView);
+    points.light = glm::inverse(lightView)[3];
     const Image map = trace.image(*drawn.copy);
     const int step = std::max(1, map.width() / 64);
     for (int y = step / 2; y < map.height(); y += step)
@@ -179,8 +183,20 @@ double agreementThrough(const Image& map, float background, float range,
         high = std::max(high, depth);
         empty |= depth == background;
       }
-    const double slack = 0.03 * double(range);
-    right += surface ? at.z >= double(low) - slack && at.z <= double(high) + slack : empty;
+    const auto holds = [&](double depth) {
+      const double slack = 0.03 * double(range);
+      return depth >= double(low) - slack && depth <= double(high) + slack;
+    };
+    if (surface) {
+      right += holds(at.z);
+      return;
+    }
+    if (!empty) { // the floor may have been drawn, too: it hides nothing that anybody sees
+      const glm::dvec4 ray = world - points.light;
+      const glm::dvec4 floor = mapFromWorld * (points.light - points.light.y / ray.y * ray);
+      empty = floor.w > 0 && holds(unit ? floor.z / floor.w : floor.z / floor.w * 0.5 + 0.5);
+    }
+    right += empty;
   };
   for (const glm::dvec4& world : points.surface) look(world, true);
   const double surface = double(right) / double(std::max<std::size_t>(points.surface.size(), 1));
@@ -262,13 +278,37 @@ GGRADE_ITEM("shadow.depth_only", [](const View& view) -> Verdict {
   return {1, "depths only"};
 });
 
+/// Colours where the submission and the reference both have a shadow.
+Verdict sharedShadow(const View& view, std::size_t frame) {
+  const Regions& regions = regionsOf(view, frame);
+  const Mask both = regions.shadow & shadowIn(view, frame);
+  const Mask floor = erode(both & regions.floor, 1);
+  if (tooSmall(floor)) return {0, "the submission and the reference share no shadow on the floor"};
+  const Verdict onFloor = within(view, frame, floor, "colours in the floor's shadow");
+  // Apart, because the objects' shadows are small beside the floor's. Having none is another
+  // item's.
+  const Mask objects = erode(both & regions.objects, 1);
+  if (tooSmall(objects)) return onFloor;
+  const Verdict onObjects = within(view, frame, objects, "colours in the objects' shadow");
+  return onObjects.quality < onFloor.quality ? onObjects : onFloor;
+}
+
+/// Where the floor shines in the reference's shadow unless the highlight is taken away as well.
+/// There the amount of light tells nothing about what is in shadow: the highlight is most of it.
+Verdict highlightTaken(const View& view, std::size_t frame) {
+  const Regions& regions = regionsOf(view, frame);
+  const Mask shining =
+      differenceMask(probe(view, "unshadowed", frame), probe(view, "matt", frame), kLeastLight);
+  const Mask region = erode(regions.shadow & regions.floor & shining, kEdge);
+  if (tooSmall(region)) return {1, "nothing to see in this frame"};
+  return within(view, frame, region, "colours where a highlight must be in shadow");
+}
+
 GGRADE_ITEM("shadow.ambient", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
-    const Regions& regions = regionsOf(view, i);
-    const Mask both = erode(regions.shadow & shadowIn(view, i), 1);
-    if (tooSmall(both)) return {0, "the submission and the reference share no shadow"};
-    Verdict verdict = within(view, i, both, "colours in the shadow");
-    verdict.quality *= shadowsAgree(view, i, regions.floor, "floor").quality;
+    if (view.scene.has("backlit")) return highlightTaken(view, i);
+    Verdict verdict = sharedShadow(view, i);
+    verdict.quality *= shadowsAgree(view, i, regionsOf(view, i).floor, "floor").quality;
     return verdict;
   });
 });
@@ -290,6 +330,8 @@ GGRADE_ITEM("shadow.outside", [](const View& view) {
 });
 
 /// Share of the pixels that no amount of light explains: neither lit, nor in shadow, nor between.
+/// Counted over the picture, the floor and the objects; the greatest share counts, because objects
+/// are a small part of the picture.
 double spoiled(const View& view, std::size_t frame, std::string& where) {
   const Image& image = view.frames.at(frame);
   const Image& unlit = probe(view, "unlit", frame);
@@ -297,7 +339,8 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
   const Regions& regions = regionsOf(view, frame);
   // The colour of a shadow is another item's.
   const Mask region =
-      ~dilate(regions.shadow | (shadowIn(view, frame) & (regions.floor | regions.objects)), kEdge);
+      ~dilate(regions.shadow | (shadowIn(view, frame) & (regions.floor | regions.objects)), kEdge) &
+      ~regions.averted;
   CompareOptions options;
   options.mask = &region;
   Mask wrong = region;
@@ -316,9 +359,19 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
       }
       if (between) wrong.set(x, y, false);
     }
-  const double share = double(wrong.count()) / double(std::max<std::size_t>(region.count(), 1));
-  where = fmt::format("{:.1f}% of the pixels away from shadows differ{}", 100 * share,
-                      densestAt(densestWindow(wrong)));
+  double share = 0;
+  const Mask all(image.width(), image.height(), true);
+  for (const auto& [part, name] : {std::pair{&all, "pixels"},
+                                   {&regions.floor, "floor's pixels"},
+                                   {&regions.objects, "objects' pixels"}}) {
+    const Mask judged = region & *part;
+    if (tooSmall(judged)) continue;
+    const double one = double((wrong & judged).count()) / double(judged.count());
+    if (one < share) continue;
+    share = one;
+    where = fmt::format("{:.1f}% of the {} away from shadows differ{}", 100 * share, name,
+                        densestAt(densestWindow(wrong)));
+  }
   return share;
 }
 

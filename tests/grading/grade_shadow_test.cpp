@@ -45,7 +45,7 @@ TEST(Shadow, TheLecturesFiveStepsHaveEverything) {
 TEST(Shadow, ARightMapKeepsItsPointsUnderAnInvertedComparison) {
   const Graded graded = gradeShadow(Submission::example("comparison_inverted"));
   EXPECT_EQ(graded.outcome(), "graded");
-  EXPECT_EQ(graded.earned("shadow.map"), 30);
+  EXPECT_EQ(graded.earned("shadow.map"), 25);
   EXPECT_THAT(graded.message("shadow.map"), HasSubstr("agrees with the objects at 100%"));
   EXPECT_EQ(graded.earned("shadow.floor"), 0);
   EXPECT_EQ(graded.earned("shadow.objects"), 0);
@@ -57,7 +57,24 @@ TEST(Shadow, ARightMapKeepsItsPointsUnderAnInvertedComparison) {
 TEST(Shadow, AmbientLightDarkenedCostsItsItemOnly) {
   const Graded graded = gradeShadow(Submission::example("ambient_darkened"));
   EXPECT_THAT(graded.lost(), UnorderedElementsAre("shadow.ambient"));
-  EXPECT_EQ(graded.score(), 90);
+  EXPECT_EQ(graded.score(), 85);
+}
+
+TEST(Shadow, AHighlightInTheShadowCostsTheLightThatMustGo) {
+  const Graded graded = gradeShadow(std::move(
+      Submission::solution().replace("tile.frag", "+ visible * lit.specular;", "+ lit.specular;")));
+  EXPECT_THAT(graded.lost(), UnorderedElementsAre("shadow.ambient"));
+  EXPECT_THAT(graded.message("shadow.ambient"), HasSubstr("where a highlight must be in shadow"));
+  EXPECT_EQ(graded.score(), 85);
+}
+
+TEST(Shadow, ObjectsUnderTheFloorSpoilThePictureThoughTheyAreSmall) {
+  Submission flat = Submission::solution();
+  flat.replace("floor.cpp", "      glDisable(GL_POLYGON_OFFSET_FILL);\n",
+               "      glDisable(GL_POLYGON_OFFSET_FILL);\n      glDisable(GL_DEPTH_TEST);\n");
+  const Graded graded = gradeShadow(flat);
+  EXPECT_LE(graded.earned("shadow.keep_picture"), -24);
+  EXPECT_THAT(graded.message("shadow.keep_picture"), HasSubstr("of the objects' pixels"));
 }
 
 TEST(Shadow, AMapThatIsNeverClearedIsNoMap) {
@@ -73,7 +90,7 @@ TEST(Shadow, AMapOfTheFirstFrameGoesStale) {
       "    camera = lightCamera(glm::vec3(scene.light.position), objectsBox(scene, object));\n"
       "    if (shadowMap && shadowMap->size == 0) {\n      if (shadowMap->size == 0)\n");
   const Graded graded = gradeShadow(stale);
-  EXPECT_EQ(graded.earned("shadow.map"), 30); // right when it was drawn
+  EXPECT_EQ(graded.earned("shadow.map"), 25); // right when it was drawn
   EXPECT_LT(graded.earned("shadow.floor"), 15);
 }
 
@@ -81,8 +98,8 @@ TEST(Shadow, NoBiasMakesStripesOnTheObjects) {
   Submission bare = Submission::firstSteps(4, "shadow");
   bare.replace("shadow.glsl", "float bias = 0.004;", "float bias = 0.0;");
   const Graded graded = gradeShadow(bare);
-  EXPECT_EQ(graded.earned("shadow.map"), 30);
-  EXPECT_EQ(graded.earned("shadow.floor"), 30);
+  EXPECT_EQ(graded.earned("shadow.map"), 25);
+  EXPECT_EQ(graded.earned("shadow.floor"), 25);
   EXPECT_EQ(graded.earned("shadow.objects"), 0);
 }
 
@@ -138,6 +155,13 @@ TEST(ShadowAlternative, AnotherLightFrustum) {
 TEST(ShadowAlternative, FloatingPointDepths) {
   expectEverything(std::move(Submission::solution().replace("floor.cpp", "depthFormat(scene));",
                                                             "GL_DEPTH_COMPONENT32F);")));
+}
+
+TEST(ShadowAlternative, TheFloorInTheMap) {
+  expectEverything(std::move(Submission::solution().replace(
+      "floor.cpp", "      // BEGIN SOLUTION(shadow.6)\n      glDisable(GL_POLYGON_OFFSET_FILL);\n",
+      "      shadowMap->program.set(\"uModel\", glm::mat4(1));\n      rectangle.draw();\n"
+      "      // BEGIN SOLUTION(shadow.6)\n      glDisable(GL_POLYGON_OFFSET_FILL);\n")));
 }
 
 TEST(ShadowAlternative, AManualComparison) {
