@@ -35,6 +35,7 @@ void addRender(CLI::App& app);
 void addInspect(CLI::App& app);
 void addGrade(CLI::App& app);
 void addDemo(CLI::App& app);
+void addCalibrate(CLI::App& app);
 void addDerive(CLI::App& app);
 void addJudge(CLI::App& app);
 

@@ -69,7 +69,7 @@ void demo(const std::string& outText, bool asJson) {
       how.solution = example.solution;
       if (!example.patch.empty()) {
         how.upload = patched.path() / example.name;
-        grading::writePatched(assignment, solutions, example.patch, how.upload);
+        grading::writePatched(assignment, solutions, {example.patch}, how.upload);
       }
       report::Result result =
           grading::grade(findTarget(assignmentsFolder(), example.target), solutions, how);

@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   addInspect(app);
   addGrade(app);
   addDemo(app);
+  addCalibrate(app);
   addDerive(app);
   addJudge(app);
   // Not CLI11's own `--`, which gives the next word to whatever positional is still open.

@@ -98,15 +98,6 @@ report::Scene describe(const rubric::SceneFolders& folders, const Rendering& ren
   return scene;
 }
 
-void score(report::Result& result) {
-  double sum = 0, bonus = 0;
-  for (const report::Item& item : result.items)
-    (item.kind == report::ItemKind::bonus ? bonus : sum) += item.earned;
-  result.score = std::max(0.0, std::round(sum * 10) / 10);
-  // A bonus comes on top of something.
-  result.bonus = result.score > 0 ? std::round(bonus * 10) / 10 : 0;
-}
-
 /// Items as declared, nothing earned: for submissions that never came to be judged.
 std::vector<report::Item> unearned(const Target& target, const std::string& why) {
   std::vector<report::Item> items;
@@ -118,89 +109,47 @@ std::vector<report::Item> unearned(const Target& target, const std::string& why)
   return items;
 }
 
-} // namespace
-
-report::Result grade(const Target& target, const fs::path& solutionFolder,
-                     const GradeOptions& options) {
-  const Assignment& assignment = target.assignment;
-  const auto progress = [&](const std::string& what, std::size_t done, std::size_t total) {
-    if (options.progress) options.progress(what, done, total);
-  };
-  const ScenePlan plan =
-      drawScenes(target, solutionFolder, options.seed ? &*options.seed : nullptr);
-
-  report::Result result;
-  result.assignment = assignment.id;
-  result.part = target.id;
-  result.title = target.parts.size() == 1 ? target.parts[0].title : assignment.title;
-  result.submission =
-      report::sanitizeLine(fs::weakly_canonical(options.upload).filename().string());
-  result.seed = plan.seed;
-  result.maxScore = target.maxScore();
-  result.sandbox = "bwrap";
-  result.thresholds = {{"tolerance", kTolerance}, {"radius", kRadius}, {"window", kWindowSide}};
-
-  TemporaryFolder work;
-  const fs::path program = work.makeVisible("program");
-  const Overlay taken = overlay(assignment, options.upload, program);
-  if (!options.solution) result.unusedFiles = taken.unused;
-  for (const std::string& name : taken.missing)
-    result.unusedFiles.push_back(name + ": not in the upload; the handed-out file stands in");
-
-  const References references =
-      prepareReferences(target, solutionFolder, plan,
-                        options.progress ? options.progress : Progress([](auto&&...) {}));
-  const std::size_t steps = references.scenes.size() + 2;
-  progress("building", 0, steps);
-  {
-    const Stopwatch time(result, "build");
-    const Happened built = buildProgram(assignment.id, program, Isolation::bwrap);
-    result.compilerOutput = built.output;
-    if (!built.ok()) {
-      result.outcome = built.outcome;
-      result.detail = built.detail;
-      result.items = unearned(target, "the program was not built");
-      return result;
-    }
-  }
-
+/// Renders every scene of `references` with a built program into `studentFolder(i)`: frames and
+/// passes.
+template <class StudentFolder>
+std::vector<Rendering> renderScenes(const Target& target, const Built& built, const ScenePlan& plan,
+                                    const References& references,
+                                    const StudentFolder& studentFolder, unsigned threads,
+                                    const std::function<void(std::size_t done)>& progress) {
   std::vector<Rendering> renderings(references.scenes.size());
-  const auto studentFolder = [&](std::size_t i) {
-    return work.path() / fmt::format("student-{}", i);
-  };
-  {
-    const Stopwatch time(result, "render");
-    progress("rendering", 1, steps);
-    std::atomic<std::size_t> done{1};
-    std::atomic<bool> hangs{false};
-    inParallel(renderings.size(), workers(), [&](std::size_t i) {
-      if (hangs) return;
-      renderings[i] =
-          renderScene(assignment.id, program, plan.scenes[i].scene, plan.scenes[i].times,
-                      references.shaders, Isolation::bwrap, gradingRequest());
-      // Copies of a whole frame's passes are too much to keep in memory for every scene.
-      trace::save(renderings[i].capture.trace, studentFolder(i));
-      renderings[i].capture.trace = {};
-      const Happened& happened = renderings[i].happened;
-      if (i == 0 && !happened.ok() && happened.seconds >= kRunSeconds) hangs = true;
-      progress("rendering", ++done, steps);
-    });
-    // Whether another scene had begun by then is chance: it must not count.
-    if (hangs)
-      for (std::size_t i = 1; i < renderings.size(); ++i) {
-        renderings[i] = {
-            {renderings[0].happened.outcome, "not run: the program hung in the first scene", {}, 0},
-            {}};
-        fs::remove_all(studentFolder(i));
-      }
-  }
+  std::atomic<std::size_t> done{1};
+  std::atomic<bool> hangs{false};
+  inParallel(renderings.size(), threads, [&](std::size_t i) {
+    if (hangs) return;
+    renderings[i] =
+        renderScene(target.assignment.id, built.program, plan.scenes[i].scene, plan.scenes[i].times,
+                    references.shaders, Isolation::bwrap, gradingRequest());
+    // Copies of a whole frame's passes are too much to keep in memory for every scene.
+    trace::save(renderings[i].capture.trace, studentFolder(i));
+    renderings[i].capture.trace = {};
+    const Happened& happened = renderings[i].happened;
+    if (i == 0 && !happened.ok() && happened.seconds >= kRunSeconds) hangs = true;
+    progress(++done);
+  });
+  // Whether another scene had begun by then is chance: it must not count.
+  if (hangs)
+    for (std::size_t i = 1; i < renderings.size(); ++i) {
+      renderings[i] = {
+          {renderings[0].happened.outcome, "not run: the program hung in the first scene", {}, 0},
+          {}};
+      fs::remove_all(studentFolder(i));
+    }
+  for (std::size_t i = 0; i < renderings.size(); ++i)
+    rubric::writeFrames(studentFolder(i), rawFrames(renderings[i].capture));
+  return renderings;
+}
 
-  std::vector<rubric::SceneFolders> folders = references.scenes;
+/// The outcome of all scenes together, and the first remark or fault in words.
+void nameOutcome(const std::vector<Rendering>& renderings,
+                 const std::vector<rubric::SceneFolders>& folders, report::Result& result) {
   result.outcome = Outcome::graded;
   for (std::size_t i = 0; i < renderings.size(); ++i) {
     const Happened& happened = renderings[i].happened;
-    folders[i].student = studentFolder(i);
-    rubric::writeFrames(folders[i].student, rawFrames(renderings[i].capture));
     // The first scene that didn't go well names the outcome; no frames outweighs a GL error, and a
     // fault of ours everything.
     const bool worse =
@@ -210,34 +159,124 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
       result.detail = fmt::format("{}: {}", folders[i].name, happened.detail);
     }
   }
-  if (result.outcome == Outcome::graded && !renderings.empty())
+  if (renderings.empty()) return;
+  if (result.outcome == Outcome::graded)
     if (const auto seen = remarks(renderings[0].capture); !seen.empty())
       result.detail = folders[0].name + ", " + seen[0];
-  if (!renderings.empty()) result.fingerprint = fingerprint(renderings[0].capture);
+  result.fingerprint = fingerprint(renderings[0].capture);
+}
+
+Judging judgeAlone(const Target& target, const GradeOptions& options) {
+  return [&](const std::vector<rubric::SceneFolders>& scenes, const fs::path& work,
+             std::string& problem) {
+    const fs::path evidence = work / "evidence.json";
+    rubric::writeEvidence(evidence, target.assignment.folder, target.id, scenes);
+    return judge(target, evidence, work, options.judgeArguments, problem);
+  };
+}
+
+} // namespace
+
+void addUp(report::Result& result) {
+  double sum = 0, bonus = 0;
+  for (const report::Item& item : result.items)
+    (item.kind == report::ItemKind::bonus ? bonus : sum) += item.earned;
+  result.score = std::max(0.0, std::round(sum * 10) / 10);
+  // A bonus comes on top of something.
+  result.bonus = result.score > 0 ? std::round(bonus * 10) / 10 : 0;
+}
+
+Built buildSubmission(const Target& target, const GradeOptions& options) {
+  const Assignment& assignment = target.assignment;
+  Built built;
+  report::Result& result = built.result;
+  result.assignment = assignment.id;
+  result.part = target.id;
+  result.title = target.parts.size() == 1 ? target.parts[0].title : assignment.title;
+  result.submission =
+      report::sanitizeLine(fs::weakly_canonical(options.upload).filename().string());
+  result.maxScore = target.maxScore();
+  result.sandbox = "bwrap";
+  result.thresholds = {{"tolerance", kTolerance}, {"radius", kRadius}, {"window", kWindowSide}};
+
+  built.work = std::make_unique<TemporaryFolder>();
+  built.program = built.work->makeVisible("program");
+  const Overlay taken = overlay(assignment, options.upload, built.program);
+  if (!options.solution) result.unusedFiles = taken.unused;
+  for (const std::string& name : taken.missing)
+    result.unusedFiles.push_back(name + ": not in the upload; the handed-out file stands in");
+
+  if (options.progress) options.progress("building", 0, 1);
+  Happened happened;
+  {
+    const Stopwatch time(result, "build");
+    happened = buildProgram(assignment.id, built.program, Isolation::bwrap);
+  }
+  result.compilerOutput = happened.output;
+  result.outcome = happened.outcome;
+  result.detail = happened.detail;
+  if (!happened.ok()) result.items = unearned(target, "the program was not built");
+  return built;
+}
+
+report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const References& references,
+                          const Built& built, const GradeOptions& options) {
+  const Progress progress =
+      options.progress ? options.progress : Progress([](const auto&, auto, auto) {});
+  report::Result result = built.result;
+  result.seed = plan.seed;
+  if (result.outcome != Outcome::graded) return result;
+
+  const std::size_t steps = references.scenes.size() + 2;
+  TemporaryFolder work;
+  std::vector<rubric::SceneFolders> folders = references.scenes;
+  const auto studentFolder = [&](std::size_t i) {
+    return work.path() / fmt::format("student-{}", i);
+  };
+  for (std::size_t i = 0; i < folders.size(); ++i) folders[i].student = studentFolder(i);
+  std::vector<Rendering> renderings;
+  {
+    const Stopwatch time(result, "render");
+    progress("rendering", 1, steps);
+    renderings = renderScenes(target, built, plan, references, studentFolder, options.threads,
+                              [&](std::size_t done) { progress("rendering", done, steps); });
+  }
+  nameOutcome(renderings, folders, result);
 
   progress("judging", steps - 1, steps);
   // The pictures for the report are compared while the rubric judges.
   std::future<std::vector<report::Scene>> scenes = std::async(std::launch::async, [&] {
     std::vector<report::Scene> all;
-    for (std::size_t i = 0; i < renderings.size(); ++i)
-      all.push_back(describe(folders[i], renderings[i]));
+    if (options.pictures)
+      for (std::size_t i = 0; i < renderings.size(); ++i)
+        all.push_back(describe(folders[i], renderings[i]));
     return all;
   });
   {
     const Stopwatch time(result, "judge");
-    rubric::writeEvidence(work.path() / "evidence.json", assignment.folder, target.id, folders);
     std::string problem;
-    result.items =
-        judge(target, work.path() / "evidence.json", work.path(), options.judgeArguments, problem);
+    const Judging judging = options.judging ? options.judging : judgeAlone(target, options);
+    result.items = judging(folders, work.path(), problem);
     if (!problem.empty()) {
       result.outcome = Outcome::notGradable;
       result.detail = problem;
     }
   }
-  score(result);
+  addUp(result);
   result.scenes = scenes.get();
   progress("done", steps, steps);
   return result;
+}
+
+report::Result grade(const Target& target, const fs::path& solutionFolder,
+                     const GradeOptions& options) {
+  const ScenePlan plan =
+      drawScenes(target, solutionFolder, options.seed ? &*options.seed : nullptr);
+  const Built built = buildSubmission(target, options);
+  const References references =
+      prepareReferences(target, solutionFolder, plan,
+                        options.progress ? options.progress : Progress([](auto&&...) {}));
+  return gradeBuilt(target, plan, references, built, options);
 }
 
 } // namespace ggrade::grading

@@ -3,11 +3,19 @@
 /// Grading one submission, from the upload to a result that the reports are written from.
 
 #include "grading/references.hpp"
+#include "grading/workspace.hpp"
 #include "report/results.hpp"
 
+#include <memory>
 #include <optional>
 
 namespace ggrade::grading {
+
+/// Judges scenes whose folders are all filled in; `work` is for its files. `problem` says why items
+/// stay unjudged.
+using Judging = std::function<std::vector<report::Item>(
+    const std::vector<rubric::SceneFolders>& scenes, const std::filesystem::path& work,
+    std::string& problem)>;
 
 struct GradeOptions {
   std::filesystem::path upload;
@@ -15,11 +23,34 @@ struct GradeOptions {
       false; ///< `upload` is a trusted folder of solutions/, its other files are expected
   std::optional<std::uint64_t> seed;
   std::vector<std::string> judgeArguments; ///< GoogleTest's
+  bool pictures = true; ///< false: the result has items but no scenes, for who wants scores only
+  unsigned threads = workers(); ///< scenes that are rendered at a time
+  Judging judging;              ///< empty: a judge's process for this grading alone
   Progress progress;
 };
 
-/// Overlays, builds, renders and judges. The result's outcome says how that went; faults of the
-/// instructor's side (no such folder, a broken reference) are UsageErrors. Throws Interrupted.
+/// A submission that was overlaid and built once, to be graded with one seed or several.
+struct Built {
+  report::Result result;                 ///< what every grading of it says, its outcome included
+  std::unique_ptr<TemporaryFolder> work; ///< removed with it
+  std::filesystem::path program;         ///< the overlaid files and the program
+};
+
+/// Overlays and builds `options.upload`. A program that doesn't build is no error: see the result's
+/// outcome. Throws UsageError (no such folder) and Interrupted.
+Built buildSubmission(const Target& target, const GradeOptions& options);
+
+/// Renders and judges what was built, in the scenes of `plan`, of which `references` has the rest.
+/// The result's outcome says how that went. Throws Interrupted. Several threads may grade one
+/// Built.
+report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const References& references,
+                          const Built& built, const GradeOptions& options);
+
+/// The score and the bonus that `result.items` add up to.
+void addUp(report::Result& result);
+
+/// Grades one upload once, with `options.seed`. Faults of the instructor's side (no such folder, a
+/// broken reference) are UsageErrors. Throws Interrupted.
 report::Result grade(const Target& target, const std::filesystem::path& solutionFolder,
                      const GradeOptions& options);
 

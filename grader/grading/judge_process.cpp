@@ -87,14 +87,7 @@ report::Item unjudgedItem(const ItemDeclaration& declared) {
   return item;
 }
 
-std::vector<report::Item> judge(const Target& target, const fs::path& evidence,
-                                const fs::path& work, const std::vector<std::string>& arguments,
-                                std::string& problem) {
-  const fs::path results = work / "items.jsonl";
-  std::vector<std::string> words = {"ggrade", "judge", evidence.string(), results.string(), "--"};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  problem = runJudgeProcess(std::move(words), work / "judge.log");
-
+std::vector<report::Item> readItems(const Target& target, const fs::path& results) {
   std::map<std::string, json> judged;
   std::ifstream in(results);
   for (std::string line; std::getline(in, line);) {
@@ -120,6 +113,16 @@ std::vector<report::Item> judge(const Target& target, const fs::path& evidence,
     items.push_back(std::move(item));
   }
   return items;
+}
+
+std::vector<report::Item> judge(const Target& target, const fs::path& evidence,
+                                const fs::path& work, const std::vector<std::string>& arguments,
+                                std::string& problem) {
+  const fs::path results = work / "items.jsonl";
+  std::vector<std::string> words = {"ggrade", "judge", evidence.string(), results.string(), "--"};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  problem = runJudgeProcess(std::move(words), work / "judge.log");
+  return readItems(target, results);
 }
 
 } // namespace ggrade::grading

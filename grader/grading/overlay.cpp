@@ -46,7 +46,30 @@ void writeFile(const fs::path& path, const std::string& content) {
     throw UsageError(fmt::format("can't write {}: is the disk full?", path.string()));
 }
 
+bool has(const std::vector<std::string>& list, const std::string& value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
 } // namespace
+
+bool takes(const Assignment& assignment, const std::string& name) {
+  return has(assignment.files, name) ||
+         std::any_of(assignment.optionalFiles.begin(), assignment.optionalFiles.end(),
+                     [&](const std::string& pattern) {
+                       return fnmatch(pattern.c_str(), name.c_str(), 0) == 0;
+                     });
+}
+
+std::vector<std::string> ownFiles(const Assignment& assignment, const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.is_regular_file() && takes(assignment, name) && !name.starts_with("rubric"))
+      names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::path& into) {
   if (!fs::is_directory(upload))
@@ -56,18 +79,12 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
   Overlay result;
   for (const char* name : {"assignment.json", "scene.json"})
     writeFile(into / name, readFile(assignment.folder / name));
-  const auto has = [](const auto& list, const std::string& value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
-  };
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(upload))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
   for (const std::string& name : names) {
-    const bool optional = std::any_of(
-        assignment.optionalFiles.begin(), assignment.optionalFiles.end(),
-        [&](const std::string& pattern) { return fnmatch(pattern.c_str(), name.c_str(), 0) == 0; });
-    if (!has(assignment.files, name) && !optional) {
+    if (!takes(assignment, name)) {
       // What was handed out beside the editable files comes back with them, and is no mistake.
       if (!fs::exists(assignment.folder / name))
         result.unused.push_back(name + ": not a file of this assignment");

@@ -15,6 +15,15 @@ struct Overlay {
   std::vector<std::string> unused; ///< what else the upload holds, each with the reason
 };
 
+/// Does an upload's file of this name count: one that is edited, or matches an optional pattern?
+bool takes(const Assignment& assignment, const std::string& name);
+
+/// The names of the files that `folder` (a solution's, or an upload) brings to the program, sorted.
+/// A rubric's headers match a pattern for students' files, too, but nothing that is built reads
+/// them.
+std::vector<std::string> ownFiles(const Assignment& assignment,
+                                  const std::filesystem::path& folder);
+
 /// Copies the clean files of `cleanFolder` (the handed-out ones) and the assignment's JSON files to
 /// `into`, then the editable and optional files of `upload` over them. Only regular files are
 /// taken, no links. Throws UsageError when `upload` is missing or holds no file of the assignment.

@@ -1,5 +1,6 @@
 #include "grading/patched.hpp"
 
+#include "grading/overlay.hpp"
 #include "grading/workspace.hpp"
 #include "sandbox/sandbox.hpp"
 
@@ -11,7 +12,8 @@ namespace ggrade::grading {
 
 namespace fs = std::filesystem;
 
-std::map<std::string, std::string> patchHeader(const fs::path& patch) {
+std::map<std::string, std::string> patchHeader(const fs::path& patch,
+                                               const std::vector<std::string>& needed) {
   std::istringstream in(readFile(patch));
   std::map<std::string, std::string> header;
   std::string key;
@@ -24,24 +26,39 @@ std::map<std::string, std::string> patchHeader(const fs::path& patch) {
       header[key] += ' ' + line.substr(line.find_first_not_of(' '));
     } else if (colon != line.npos) {
       key = line.substr(0, colon);
-      header[key] = line.substr(colon + 2);
+      if (!header.emplace(key, line.substr(colon + 2)).second)
+        throw UsageError(
+            fmt::format("{}:{}: \"{}:\" stands there twice", patch.string(), number, key));
     } else {
       throw UsageError(
           fmt::format("{}:{}: expected \"Key: value\" before the diff", patch.string(), number));
     }
   }
-  for (const char* needed : {"Title", "Grades", "Outcome"})
-    if (!header.count(needed))
-      throw UsageError(fmt::format("{}: its header lacks \"{}:\"", patch.string(), needed));
+  for (const std::string& one : needed)
+    if (!header.count(one) || header[one].empty())
+      throw UsageError(fmt::format("{}: its header lacks \"{}:\"", patch.string(), one));
   return header;
 }
 
-void writePatched(const Assignment& assignment, const fs::path& solutionFolder,
-                  const fs::path& patch, const fs::path& into) {
-  fs::create_directories(into);
-  // Everything at the top: the files that a patch may add go there, too.
-  for (const std::string& file : assignment.files)
-    fs::copy_file(solutionFolder / file, into / file);
+std::vector<std::string> patchedFiles(const Assignment& assignment, const fs::path& patch) {
+  const std::string folder = "solutions/" + assignment.id + '/';
+  std::vector<std::string> names;
+  std::istringstream in(readFile(patch));
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("diff --git ")) continue;
+    const std::string path = line.substr(line.rfind(' ') + 1);
+    if (!path.starts_with("b/" + folder) || path.find('/', folder.size() + 2) != path.npos)
+      throw UsageError(fmt::format("{}: \"{}\" is no file of {}: make it with git diff from the "
+                                   "repository's root",
+                                   patch.string(), line, folder));
+    names.push_back(path.substr(folder.size() + 2));
+  }
+  return names;
+}
+
+namespace {
+
+void applyPatch(const fs::path& patch, const fs::path& solutionFolder, const fs::path& into) {
   sandbox::Command command;
   // -p3 takes off a/solutions/<id>/.
   command.arguments = {"/usr/bin/patch",
@@ -58,6 +75,17 @@ void writePatched(const Assignment& assignment, const fs::path& solutionFolder,
   if (run.end != sandbox::End::exited || run.exitCode != 0)
     throw UsageError(fmt::format("{} no longer applies to {}: {}{}", patch.string(),
                                  solutionFolder.string(), run.standardOutput, run.detail));
+}
+
+} // namespace
+
+void writePatched(const Assignment& assignment, const fs::path& solutionFolder,
+                  const std::vector<fs::path>& patches, const fs::path& into) {
+  fs::create_directories(into);
+  // Everything at the top: the files that a patch may add go there, too.
+  for (const std::string& file : ownFiles(assignment, solutionFolder))
+    fs::copy_file(solutionFolder / file, into / file);
+  for (const fs::path& patch : patches) applyPatch(patch, solutionFolder, into);
 }
 
 } // namespace ggrade::grading

@@ -21,12 +21,12 @@ using nlohmann::json;
 using report::Outcome;
 using sandbox::Isolation;
 
-namespace {
-
 std::string hashOf(const std::string& text) {
   const XXH128_hash_t hash = XXH3_128bits(text.data(), text.size());
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
+
+namespace {
 
 /// A hash of every file in `folder`, not of folders in it.
 std::string hashOfFiles(const fs::path& folder) {
@@ -40,15 +40,28 @@ std::string hashOfFiles(const fs::path& folder) {
   return hashOf(all);
 }
 
-fs::path cacheFolder() {
-  const char* named = std::getenv("GGRADE_CACHE");
-  return named && *named ? fs::path(named) : fs::path(toolchain::kBuildFolder) / "cache";
+/// A hash of what a program is built from and reads. How it is judged, and for how many points, is
+/// no part of that: who works on a rubric doesn't wait for new pictures.
+std::string hashOfProgram(const Assignment& assignment, const fs::path& sources) {
+  json declared = readJson(assignment.folder / "assignment.json");
+  for (json& part : declared.at("parts")) part.erase("items");
+  std::string all = hashOf(declared.dump()) + hashOf(readFile(assignment.folder / "scene.json"));
+  const auto add = [&](const std::string& name, const fs::path& file) {
+    all += name + ' ' + hashOf(readFile(file)) + '\n';
+  };
+  for (const std::string& name : ownFiles(assignment, sources)) add(name, sources / name);
+  for (const std::string& name : assignment.files) // the handed-out ones stand in
+    if (!fs::exists(sources / name)) add(name, assignment.folder / name);
+  return hashOf(all);
 }
 
-/// Makes the cache if need be, for its owner alone: pictures of hidden scenes lie in it. Throws
-/// UsageError with the remedy.
-void makeCache() {
-  const fs::path folder = cacheFolder();
+} // namespace
+
+fs::path cacheFolder() {
+  const char* named = std::getenv("GGRADE_CACHE");
+  const fs::path folder =
+      named && *named ? fs::path(named) : fs::path(toolchain::kBuildFolder) / "cache";
+  // For its owner alone: pictures of hidden scenes lie in it.
   std::error_code error;
   if (fs::create_directories(folder, error)) fs::permissions(folder, fs::perms(0700), error);
   if (!error && access(folder.c_str(), R_OK | W_OK | X_OK) != 0)
@@ -57,7 +70,10 @@ void makeCache() {
     throw UsageError(fmt::format("can't use the cache {}: {}. Name a folder of your own in the "
                                  "environment variable GGRADE_CACHE",
                                  folder.string(), error.message()));
+  return folder;
 }
+
+namespace {
 
 /// One of our own programs: the reference or the stub.
 struct Own {
@@ -98,6 +114,18 @@ std::string rendererIdentity() {
     text += fmt::format("{} {} {}\n", file.string(), fs::file_size(file),
                         fs::last_write_time(file).time_since_epoch().count());
   return text;
+}
+
+/// What tells one way to build and draw from another.
+std::string toolKey() {
+  return hashOf(toolchain::kVersion + hashOfFiles(fs::path(toolchain::kKitFolder) / "lib") +
+                hashOfFiles(toolchain::kCaptureFolder) + toolchain::kCompilerVersion + pins() +
+                rendererIdentity());
+}
+
+std::string programKey(const std::string& tool, const Assignment& assignment,
+                       const fs::path& sources) {
+  return hashOf(tool + assignment.id + hashOfProgram(assignment, sources));
 }
 
 /// What tells one way of recording from another.
@@ -141,19 +169,21 @@ std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture) {
   return frames;
 }
 
+std::string referenceKey(const Target& target, const fs::path& solutionFolder) {
+  const std::string tool = toolKey();
+  return programKey(tool, target.assignment, solutionFolder) +
+         programKey(tool, target.assignment, target.assignment.folder) + identity(gradingRequest());
+}
+
 References prepareReferences(const Target& target, const fs::path& solutionFolder,
-                             const ScenePlan& plan, const Progress& progress) {
-  makeCache();
+                             const ScenePlan& plan, const Progress& progress,
+                             const fs::path& elsewhere) {
+  const fs::path cache = cacheFolder();
   const Assignment& assignment = target.assignment;
-  const std::string tool =
-      hashOf(toolchain::kVersion + hashOfFiles(fs::path(toolchain::kKitFolder) / "lib") +
-             hashOfFiles(toolchain::kCaptureFolder) + toolchain::kCompilerVersion + pins() +
-             rendererIdentity());
   Own reference{"the reference " + solutionFolder.string(), solutionFolder, {}, {}};
   Own stub{"the stub " + assignment.folder.string(), assignment.folder, {}, {}};
-  for (Own* own : {&reference, &stub})
-    own->key =
-        hashOf(tool + assignment.id + hashOfFiles(own->sources) + hashOfFiles(assignment.folder));
+  const std::string tool = toolKey();
+  for (Own* own : {&reference, &stub}) own->key = programKey(tool, assignment, own->sources);
 
   struct Job {
     const Own* own;
@@ -167,9 +197,10 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   References all;
   for (const SceneCase& scene : plan.scenes) {
     const auto add = [&](const Own& own, const json& content, const trace::Request& trace) {
-      const fs::path folder =
-          cacheFolder() / "frames" /
+      const std::string name =
           hashOf(own.key + content.dump() + json(scene.times).dump() + identity(trace));
+      fs::path folder = cache / "frames" / name;
+      if (!elsewhere.empty() && !fs::exists(folder / "frames.json")) folder = elsewhere / name;
       if (!fs::exists(folder / "frames.json"))
         jobs.push_back({&own, &content, &scene.times, folder, trace});
       return folder;
@@ -213,7 +244,7 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
     const Rendering rendering = renderScene(assignment.id, job.own->folder, *job.scene, *job.times,
                                             all.shaders, Isolation::bwrap, job.trace);
     requireGood(rendering.happened, job.own->what);
-    TemporaryFolder work(cacheFolder() / "frames");
+    TemporaryFolder work(job.folder.parent_path());
     if (job.trace.passes) trace::save(rendering.capture.trace, work.path());
     rubric::writeFrames(work.path(), rawFrames(rendering.capture));
     std::error_code raced;

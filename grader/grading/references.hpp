@@ -18,12 +18,24 @@ struct References {
   ShaderCache shaders;                      ///< warmed by the stub
 };
 
+/// Where pictures of hidden scenes may be kept: private to this user. Throws UsageError.
+std::filesystem::path cacheFolder();
+
+/// A hash of `text`, as file names in the cache are made of.
+std::string hashOf(const std::string& text);
+
+/// What the pictures of the reference and the stub depend on besides the scenes: tool, renderer and
+/// programs.
+std::string referenceKey(const Target& target, const std::filesystem::path& solutionFolder);
+
 /// Makes sure that everything of `plan` is rendered, in the sandbox like a submission, and says
 /// where it stands. What was rendered before by the same tool, assignment, seed and renderer is
 /// taken from the cache
-/// (`GGRADE_CACHE`, else the build folder). Throws UsageError where our own programs fail.
+/// (`GGRADE_CACHE`, else the build folder). What isn't there yet is put there, or into `elsewhere`
+/// if that is named, by who doesn't want to keep it. Throws UsageError where our own programs fail.
 References prepareReferences(const Target& target, const std::filesystem::path& solutionFolder,
-                             const ScenePlan& plan, const Progress& progress);
+                             const ScenePlan& plan, const Progress& progress,
+                             const std::filesystem::path& elsewhere = {});
 
 /// The captured frames in the form that is kept in files.
 std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture);

@@ -209,4 +209,11 @@ ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder,
   }
 }
 
+std::string describe(const ScenePlan& plan) {
+  json all = json::array();
+  for (const SceneCase& one : plan.scenes)
+    all.push_back({one.name, one.isPublic, one.tags, one.times, one.scene, one.like, one.probes});
+  return fmt::format("{} {}", plan.seed, all.dump());
+}
+
 } // namespace ggrade::grading

@@ -40,6 +40,9 @@ struct ScenePlan {
 ScenePlan drawScenes(const Target& target, const std::filesystem::path& solutionFolder,
                      const std::uint64_t* seed);
 
+/// All of a plan as text: equal texts are equal plans.
+std::string describe(const ScenePlan& plan);
+
 /// Throws UsageError, with `name`, unless the scene is one that assignment.json allows.
 void checkScene(const Assignment& assignment, const nlohmann::json& scene, const std::string& name);
 /// Reads a scene file that a person wrote. Throws UsageError as `file:line: key: ...`.

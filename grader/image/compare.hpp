@@ -17,13 +17,23 @@ namespace ggrade {
 inline constexpr float kTolerance = 3.5f / 255.0f;
 /// Pixels that an edge may move in any direction.
 inline constexpr int kRadius = 1;
+
+/// What comparisons of this process allow unless told otherwise.
+struct Tolerances {
+  float tolerance = kTolerance;
+  int radius = kRadius;
+};
+/// The published ones, everywhere but in a judge that `ggrade calibrate` asks what others would do.
+/// Set it before anything is compared.
+Tolerances& tolerances();
+
 /// Side in pixels of the window in which errors are counted.
 inline constexpr int kWindowSide = 32;
 inline constexpr int kMaxRadius = 64;
 
 struct CompareOptions {
-  float tolerance = kTolerance; ///< in the images' units, 0 or more
-  int radius = kRadius;         ///< pixels, 0 to kMaxRadius
+  float tolerance = tolerances().tolerance; ///< in the images' units, 0 or more
+  int radius = tolerances().radius;         ///< pixels, 0 to kMaxRadius
   const Mask* mask =
       nullptr; ///< pixels to judge; null judges all. Neighbours outside it still count.
   /// How many leading channels to compare; 0 compares all and then wants equal counts. A window's

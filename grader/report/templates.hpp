@@ -16,5 +16,7 @@ extern const std::string_view k_inspect_mustache;
 extern const std::string_view k_inspect_css;
 extern const std::string_view k_inspect_js;
 extern const std::string_view k_inspect_js_sha256;
+extern const std::string_view k_calibration_mustache;
+extern const std::string_view k_calibration_css;
 
 } // namespace ggrade::report::templates

@@ -41,20 +41,11 @@ public:
       : item_(std::move(item)), evidence_(evidence), results_(results) {}
 
   void TestBody() override {
-    const auto judge = judges().find(item_.id);
-    ASSERT_NE(judge, judges().end()) << "rubric.cpp has no GGRADE_ITEM(\"" << item_.id << "\")";
-    const Decision decision = decide(item_, judge->second, evidence_);
+    const Decision decision = decide(item_, judgeOf(item_.id), evidence_);
     const bool keep = item_.kind == report::ItemKind::keep;
-    // Tenths of a point: what a person can check by hand.
-    const double points =
-        std::round((keep ? decision.credit - 1 : decision.credit) * item_.points * 10) / 10;
-    json credits = json::array();
-    for (const auto& [scene, credit] : decision.credits) credits.push_back({scene, credit});
-    results_[item_.id] = {{"id", item_.id},
-                          {"earned", points},
-                          {"credit", decision.credit},
-                          {"message", decision.message},
-                          {"credits", credits}};
+    const json line = lineOf(item_, decision);
+    const double points = line.at("earned");
+    results_[item_.id] = line;
     RecordProperty("earned", fmt::format("{}", points));
     RecordProperty("points", fmt::format("{}", item_.points));
     EXPECT_GE(points, keep ? 0 : item_.points) << decision.message;
@@ -97,7 +88,47 @@ bool add(const std::string& item, Judge judge) {
   return judges().emplace(item, std::move(judge)).second;
 }
 
-Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence) {
+const Judge& judgeOf(const std::string& item) {
+  const auto found = judges().find(item);
+  if (found == judges().end())
+    throw UsageError(fmt::format("rubric.cpp has no GGRADE_ITEM(\"{}\")", item));
+  return found->second;
+}
+
+json lineOf(const ItemDeclaration& item, const Decision& decision) {
+  const bool keep = item.kind == report::ItemKind::keep;
+  json credits = json::array();
+  for (const auto& [scene, credit] : decision.credits) credits.push_back({scene, credit});
+  // Tenths of a point: what a person can check by hand.
+  return {{"id", item.id},
+          {"earned",
+           std::round((keep ? decision.credit - 1 : decision.credit) * item.points * 10) / 10},
+          {"credit", decision.credit},
+          {"message", decision.message},
+          {"credits", credits}};
+}
+
+void warm(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence,
+          Floors& floors) {
+  for (const SceneEvidence& scene : evidence.scenes) {
+    if (!looksAt(item, scene)) continue;
+    checked(judge, {scene, scene.reference, scene.referenceTrace, nullptr});
+    floors[{item.id, &scene}] =
+        checked(judge, {scene, scene.stub, scene.stubTrace, nullptr}).quality;
+  }
+}
+
+Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence,
+                Floors* floors) {
+  const auto floorOf = [&](const SceneEvidence& scene) {
+    const auto known = [&] {
+      return checked(judge, {scene, scene.stub, scene.stubTrace, nullptr}).quality;
+    };
+    if (!floors) return known();
+    const auto [entry, fresh] = floors->try_emplace({item.id, &scene});
+    if (fresh) entry->second = known();
+    return entry->second;
+  };
   Decision decision;
   decision.credit = 1;
   bool any = false;
@@ -121,7 +152,7 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
       credit = verdict.quality;
       // Nothing is left to scale where the student is as good as the reference.
       if (item.kind != report::ItemKind::keep && verdict.quality < 1) {
-        const double floor = checked(judge, {scene, scene.stub, scene.stubTrace, nullptr}).quality;
+        const double floor = floorOf(scene);
         // Where the stub is as good as the reference, the scene can't show the item.
         if (floor > 0.99) continue;
         credit = std::clamp((verdict.quality - floor) / (1 - floor), 0.0, 1.0);

@@ -29,6 +29,15 @@ Frames readImages(const json& folder) {
   return images;
 }
 
+} // namespace
+
+void readStudent(SceneEvidence& scene, const fs::path& folder) {
+  scene.student = readImages(folder.string());
+  scene.studentTrace = trace::load(folder);
+}
+
+namespace {
+
 SceneEvidence readScene(const json& from) {
   SceneEvidence scene;
   scene.name = from.at("name");
@@ -37,10 +46,9 @@ SceneEvidence readScene(const json& from) {
   scene.scene = from.at("scene");
   scene.like = from.at("like");
   scene.frameCount = from.at("frames");
-  scene.student = readImages(from.at("student"));
+  if (from.at("student") != "") readStudent(scene, from.at("student").get<std::string>());
   scene.reference = readImages(from.at("reference"));
   scene.stub = readImages(from.at("stub"));
-  scene.studentTrace = trace::load(from.at("student").get<std::string>());
   scene.referenceTrace = trace::load(from.at("reference").get<std::string>());
   scene.stubTrace = trace::load(from.at("stub").get<std::string>());
   for (const auto& [name, folder] : from.at("probes").items())

@@ -69,6 +69,9 @@ struct SceneFolders {
 
 void writeEvidence(const std::filesystem::path& file, const std::filesystem::path& assignmentFolder,
                    const std::string& target, const std::vector<SceneFolders>& scenes);
+/// Scenes without a student's folder have no student's frames.
 Evidence readEvidence(const std::filesystem::path& file);
+/// Reads what a submission drew in this scene.
+void readStudent(SceneEvidence& scene, const std::filesystem::path& folder);
 
 } // namespace ggrade::rubric

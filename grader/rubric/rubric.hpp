@@ -12,6 +12,7 @@
 #include "rubric/evidence.hpp"
 
 #include <functional>
+#include <map>
 #include <string>
 
 namespace ggrade::rubric {
@@ -46,16 +47,38 @@ struct Decision {
   std::vector<std::pair<std::string, double>> credits; ///< by scene
 };
 
+/// What the stub has of an item in a scene, for who asks for many submissions.
+using Floors = std::map<std::pair<std::string, const SceneEvidence*>, double>;
+
 /// Gain and bonus items: the student's quality on the scale from the stub's (0) to the reference's
 /// (1). Keep items: the quality itself; what is missing from 1 is taken away. A missing frame has
 /// credit 0.
-Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence);
+Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence,
+                Floors* floors = nullptr);
+
+/// Asks about the reference and the stub in every scene that the item looks at: `floors` then knows
+/// the stub's qualities, and the rubric what it keeps of a scene.
+void warm(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence,
+          Floors& floors);
+
+/// The decision as a line of results: item, points earned, message, credits by scene.
+nlohmann::json lineOf(const ItemDeclaration& item, const Decision& decision);
+
+/// The judge of an item. Throws UsageError if no rubric has it.
+const Judge& judgeOf(const std::string& item);
 
 /// Runs every item of `evidence`'s target as a GoogleTest test named `part.item`, and appends one
 /// JSON object a line to `results` after each. `arguments` are GoogleTest's. Returns the exit code:
 /// 0 all items were judged, whatever the points; 1 an item has no judge or threw.
 int runJudge(const std::filesystem::path& evidence, const std::filesystem::path& results,
              const std::vector<std::string>& arguments);
+
+/// Judges many submissions in the same scenes, so that what only the reference decides is worked
+/// out once. `evidence` names no student's folders; every line on stdin is a request
+/// `{"students": [folder, ...], "results": file, "done": file}`. Each is answered by a process of
+/// its own, which appends to `results` like runJudge and then makes `done`: empty, or what went
+/// wrong. Ends with stdin.
+int serveJudge(const std::filesystem::path& evidence);
 
 } // namespace ggrade::rubric
 

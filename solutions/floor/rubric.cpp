@@ -70,8 +70,8 @@ Image withSky(const SceneEvidence& scene, const Image& plain) {
 /// Where on the floor a frame shows reflected objects: it looks neither like the bare floor nor
 /// like the floor that reflects the background.
 Mask reflectedObjects(const Regions& regions, const Image& plain, const Image& image) {
-  return differenceMask(image, plain, 2 * kTolerance) &
-         differenceMask(image, regions.sky, 2 * kTolerance) & regions.floor;
+  return differenceMask(image, plain, 2 * tolerances().tolerance) &
+         differenceMask(image, regions.sky, 2 * tolerances().tolerance) & regions.floor;
 }
 
 const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
@@ -140,8 +140,9 @@ double textureQuality(const Image& found, const Image& wanted, const Image& back
                       std::string& message) {
   const int width = background.width(), height = background.height();
   const Image a = resampled(found, width, height, 3), b = resampled(wanted, width, height, 3);
-  const Mask objects = differenceMask(b, background, 2 * kTolerance);
-  const Mask region = dilate(objects | differenceMask(a, background, 2 * kTolerance), 1);
+  const Mask objects = differenceMask(b, background, 2 * tolerances().tolerance);
+  const Mask region =
+      dilate(objects | differenceMask(a, background, 2 * tolerances().tolerance), 1);
   CompareOptions options;
   options.mask = &region;
   const Comparison comparison = compare(a, b, options);

@@ -242,7 +242,8 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
       for (int x = 0; x < image.width(); ++x) {
         if (!wrong.at(x, y) || !touched.at(x, y)) continue;
         bool darker = false;
-        for (int c = 0; c < 3; ++c) darker |= image.at(x, y, c) < bare.at(x, y, c) - 2 * kTolerance;
+        for (int c = 0; c < 3; ++c)
+          darker |= image.at(x, y, c) < bare.at(x, y, c) - 2 * tolerances().tolerance;
         wrong.set(x, y, darker);
       }
   }

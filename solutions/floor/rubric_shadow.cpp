@@ -355,7 +355,7 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
       bool between = true;
       for (int c = 0; c < 3; ++c) {
         const float light = unlit.at(x, y, c) + v * (unshadowed.at(x, y, c) - unlit.at(x, y, c));
-        between &= std::abs(image.at(x, y, c) - light) <= 2 * kTolerance;
+        between &= std::abs(image.at(x, y, c) - light) <= 2 * tolerances().tolerance;
       }
       if (between) wrong.set(x, y, false);
     }

@@ -143,7 +143,7 @@ Submission Submission::example(const std::string& name) {
   Submission made;
   const fs::path solutions = kSource / "solutions/floor";
   ggrade::grading::writePatched(ggrade::Assignment::load(kSource / "assignments/floor"), solutions,
-                                solutions / "examples" / (name + ".patch"), made.path());
+                                {solutions / "examples" / (name + ".patch")}, made.path());
   return made;
 }
 

@@ -1,0 +1,65 @@
+#pragma once
+/// \file
+/// What the grader is measured on: programs whose answer is known to be right or wrong, and
+/// pictures that no program drew.
+
+#include "grading/catalogue.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ggrade::calibration {
+
+enum class Kind { reference, variant, mistake, pair, pictures, stub };
+
+/// "reference", "variant", ...
+std::string_view name(Kind kind);
+
+/// Is this a right answer?
+inline bool isRight(Kind kind) {
+  return kind == Kind::reference || kind == Kind::variant;
+}
+
+/// One row of the measurement, and what must become of it.
+struct Program {
+  Kind kind = Kind::mistake;
+  std::string name;
+  std::string title;
+  std::vector<std::filesystem::path> patches;        ///< of the solution, one after the other
+  std::filesystem::path folder;                      ///< where there are no patches
+  std::string fails;                                 ///< mistake: the item that must fail
+  std::vector<std::string> loses;                    ///< variant: the items that it may lose
+  report::Outcome outcome = report::Outcome::graded; ///< how grading must end
+  std::vector<std::string> of;                       ///< pair: its two mistakes
+};
+
+/// The reference, the stub, every patch of the catalogue, every pair, and the pictures (see
+/// pictures.hpp). Those named in `only` (a name, with or without the part's prefix, or a kind) and
+/// what their judgement needs; all if it is empty. Throws UsageError for a name that is not there.
+std::vector<Program> programsOf(const Assignment& assignment, const grading::Catalogue& catalogue,
+                                const std::filesystem::path& solutionFolder,
+                                const std::vector<std::string>& only);
+
+/// One grading of one program.
+struct Score {
+  std::uint64_t seed = 0;
+  report::Outcome outcome = report::Outcome::graded;
+  std::string detail;
+  double score = 0, bonus = 0;
+  std::map<std::string, double> earned;        ///< by item; keep items 0 or less
+  std::map<std::string, std::string> messages; ///< of items that lost something
+
+  bool operator==(const Score&) const = default;
+};
+
+/// One program with all its gradings.
+struct Measured {
+  Program program;
+  std::vector<Score> scores;
+  std::string problem; ///< why it could not be graded at all: a patch that doesn't apply
+};
+
+} // namespace ggrade::calibration

@@ -1,0 +1,53 @@
+#include "calibration/score_file.hpp"
+
+#include "grading/workspace.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace ggrade::calibration {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+json toJson(const Score& score) {
+  return {{"seed", score.seed},        {"outcome", report::name(score.outcome)},
+          {"detail", score.detail},    {"score", score.score},
+          {"bonus", score.bonus},      {"earned", score.earned},
+          {"messages", score.messages}};
+}
+
+Score scoreFrom(const json& from) {
+  Score score;
+  score.seed = from.at("seed");
+  score.detail = from.at("detail");
+  score.score = from.at("score");
+  score.bonus = from.at("bonus");
+  score.earned = from.at("earned").get<std::map<std::string, double>>();
+  score.messages = from.at("messages").get<std::map<std::string, std::string>>();
+  for (int i = 0; i <= int(report::Outcome::notGradable); ++i)
+    if (report::name(report::Outcome(i)) == from.at("outcome")) score.outcome = report::Outcome(i);
+  return score;
+}
+
+std::optional<Score> loadScore(const fs::path& file) {
+  std::ifstream in(file);
+  const json read = json::parse(in, nullptr, false);
+  try {
+    return scoreFrom(read);
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+}
+
+void saveScore(const fs::path& file, const Score& score) {
+  grading::TemporaryFolder work(file.parent_path());
+  const fs::path whole = work.path() / "score.json";
+  std::ofstream out(whole);
+  if (!(out << toJson(score).dump()) || !out.flush())
+    throw UsageError(fmt::format("can't write {}: is the disk full?", file.string()));
+  fs::rename(whole, file);
+}
+
+} // namespace ggrade::calibration

@@ -1,0 +1,110 @@
+#include "calibration/subject.hpp"
+
+#include "grading/patched.hpp"
+
+#include <algorithm>
+
+namespace ggrade::calibration {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Everything that is in the files of a folder.
+std::string contentOf(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (entry.is_regular_file()) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::string all;
+  for (const fs::path& file : files)
+    all += file.filename().string() + ' ' + grading::hashOf(readFile(file)) + '\n';
+  return all;
+}
+
+} // namespace
+
+const grading::Built& Subject::build(const Target& target) {
+  std::call_once(once, [&] {
+    grading::GradeOptions how;
+    how.upload = folder;
+    built = grading::buildSubmission(target, how);
+  });
+  return built;
+}
+
+std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
+                                                 const fs::path& solutionFolder,
+                                                 const std::vector<Program>& programs,
+                                                 const fs::path& work) {
+  std::vector<std::unique_ptr<Subject>> all;
+  for (const Program& program : programs) {
+    all.push_back(std::make_unique<Subject>());
+    Subject& subject = *all.back();
+    subject.measured.program = program;
+    if (program.kind == Kind::pictures) {
+      subject.key = "pictures " + program.name;
+      continue;
+    }
+    subject.folder = program.folder;
+    if (!program.patches.empty()) {
+      subject.folder = work / std::to_string(all.size());
+      try {
+        grading::writePatched(target.assignment, solutionFolder, program.patches, subject.folder);
+      } catch (const UsageError& error) {
+        subject.measured.problem = error.what();
+        continue;
+      }
+    }
+    subject.key = contentOf(subject.folder);
+  }
+  return all;
+}
+
+std::string commonKey(const Target& target, const fs::path& solutionFolder,
+                      const grading::ScenePlan& plan) {
+  static const std::string tool = grading::hashOf(readFile("/proc/self/exe"));
+  return tool + target.id + readJson(target.assignment.folder / "assignment.json").dump() +
+         grading::referenceKey(target, solutionFolder) + grading::describe(plan);
+}
+
+fs::path scoreFile(const std::string& key) {
+  const fs::path folder = grading::cacheFolder() / "scores";
+  fs::create_directories(folder);
+  return folder / (grading::hashOf(key) + ".json");
+}
+
+namespace {
+
+grading::References prepare(const Target& target, const fs::path& solutionFolder,
+                            const grading::ScenePlan& plan, const fs::path& folder) {
+  const auto quiet = [](const auto&, auto, auto) {};
+  const grading::ScenePlan usual = grading::drawScenes(target, solutionFolder, nullptr);
+  grading::References own = grading::prepareReferences(target, solutionFolder, usual, quiet);
+  if (plan.seed == usual.seed) return own;
+  return grading::prepareReferences(target, solutionFolder, plan, quiet, folder);
+}
+
+} // namespace
+
+SeedPictures::SeedPictures(const Target& target, const fs::path& solutionFolder,
+                           const grading::ScenePlan& plan)
+    : folder_(grading::cacheFolder()),
+      references(prepare(target, solutionFolder, plan, folder_.path())) {}
+
+Score scoreOf(const report::Result& result) {
+  Score score;
+  score.seed = result.seed;
+  score.outcome = result.outcome;
+  score.detail = result.detail;
+  score.score = result.score;
+  score.bonus = result.bonus;
+  for (const report::Item& item : result.items) {
+    score.earned[item.id] = item.earned;
+    const double full = item.kind == report::ItemKind::keep ? 0 : item.points;
+    if (item.earned < full) score.messages[item.id] = item.message;
+  }
+  return score;
+}
+
+} // namespace ggrade::calibration

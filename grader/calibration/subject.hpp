@@ -1,0 +1,55 @@
+#pragma once
+/// \file
+/// A program on its way through a measurement.
+
+#include "calibration/programs.hpp"
+#include "grading/grade.hpp"
+
+#include <memory>
+#include <mutex>
+
+namespace ggrade::calibration {
+
+struct Subject {
+  Measured measured;
+  std::filesystem::path folder; ///< its files; empty for pictures
+  std::string key;              ///< what tells its files from others
+  std::once_flag once;
+  grading::Built built;
+
+  /// What was built of it, when it is first needed. Several threads may ask.
+  const grading::Built& build(const Target& target);
+};
+
+/// Writes each program's files to a folder in `work` and says what tells them from others. A patch
+/// that doesn't apply is its program's `problem`.
+std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
+                                                 const std::filesystem::path& solutionFolder,
+                                                 const std::vector<Program>& programs,
+                                                 const std::filesystem::path& work);
+
+/// What a grading's score depends on besides the program: this tool, its rubrics, the points, the
+/// reference, and the scenes.
+std::string commonKey(const Target& target, const std::filesystem::path& solutionFolder,
+                      const grading::ScenePlan& plan);
+
+/// Where the grading with this key is kept.
+std::filesystem::path scoreFile(const std::string& key);
+
+/// The reference's pictures of one seed. Those of ten seeds are gigabytes: they are removed with
+/// this, unless they are the public scene's or the seed is the assignment's own.
+class SeedPictures {
+public:
+  SeedPictures(const Target& target, const std::filesystem::path& solutionFolder,
+               const grading::ScenePlan& plan);
+
+private:
+  grading::TemporaryFolder folder_;
+
+public:
+  const grading::References references;
+};
+
+Score scoreOf(const report::Result& result);
+
+} // namespace ggrade::calibration

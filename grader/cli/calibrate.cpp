@@ -1,0 +1,208 @@
+#include "cli/commands.hpp"
+
+#include "calibration/adopt.hpp"
+#include "calibration/measure.hpp"
+#include "calibration/page.hpp"
+#include "calibration/tolerances.hpp"
+#include "calibration/verdicts.hpp"
+#include "cli/terminal.hpp"
+#include "grading/grade.hpp"
+#include "report/write_file.hpp"
+
+#include <fmt/format.h>
+
+#include <iostream>
+
+namespace ggrade::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Options {
+  std::string id, out, catalogue, adopt, as, name;
+  std::vector<std::string> only;
+  unsigned seeds = 10, jobs = grading::workers();
+  std::uint64_t firstSeed = 1;
+  bool haveFirstSeed = false, skipTrials = false, json = false;
+};
+
+/// The parts that an ID names, each a target of its own.
+std::vector<Target> partsOf(const std::string& id) {
+  std::vector<Target> all;
+  for (const Assignment& assignment : loadAssignments(assignmentsFolder()))
+    for (const Part& part : assignment.parts)
+      if (id == "all" || id == assignment.id || id == part.id)
+        all.push_back({assignment, {part}, part.id});
+  if (all.empty()) findTarget(assignmentsFolder(), id); // says what there is
+  return all;
+}
+
+/// The assignment's own seed and 1, 2, ...; or those from the one that was named.
+std::vector<std::uint64_t> seedsOf(const Options& options, const Target& target,
+                                   const fs::path& solutions) {
+  std::vector<std::uint64_t> seeds;
+  if (!options.haveFirstSeed) seeds.push_back(grading::drawScenes(target, solutions, nullptr).seed);
+  for (std::uint64_t seed = options.firstSeed; seeds.size() < options.seeds; ++seed)
+    if (seeds.empty() || seed != seeds[0]) seeds.push_back(seed);
+  return seeds;
+}
+
+/// Where mistakes/ and variants/ are.
+fs::path catalogueFolder(const Options& options, const fs::path& solutions) {
+  if (options.catalogue.empty()) return solutions;
+  if (!fs::is_directory(options.catalogue))
+    throw UsageError(fmt::format("--catalogue {}: there is no such folder", options.catalogue));
+  return options.catalogue;
+}
+
+void adopt(const Options& options) {
+  if (options.as.empty()) throw UsageError("--adopt needs --as variant or --as mistake");
+  const std::vector<Target> targets = partsOf(options.id);
+  if (targets.size() != 1)
+    throw UsageError(
+        fmt::format("{} has several parts: say which one the submission answers", options.id));
+  const Target& target = targets[0];
+  const fs::path solutions = solutionFolder(target.assignment.id);
+  const bool mistake = options.as == "mistake";
+  std::vector<report::Item> items;
+  if (mistake) {
+    requireSandbox();
+    Progress progress("calibrate");
+    grading::GradeOptions how;
+    how.upload = options.adopt;
+    how.pictures = false;
+    how.progress = std::ref(progress);
+    items = grading::grade(target, solutions, how).items;
+  }
+  const fs::path path = calibration::adopt(
+      target, solutions, catalogueFolder(options, solutions), options.adopt,
+      mistake ? calibration::AdoptAs::mistake : calibration::AdoptAs::variant, options.name, items);
+  fmt::print("{}\n\nOpen it and\n"
+             "- look through the code's comments: they are as they were handed in, and may name a "
+             "person;\n"
+             "- write a Title that says what is {}{};\n",
+             path.string(), mistake ? "wrong" : "done in another way",
+             mistake ? ",\n  what one sees (Symptom) and what to tell the student (Hint);\n"
+                       "- check the item that must fail (Fails), the step to read again (Step)\n"
+                       "  and the scenes that show it (Shows): they are a guess from its grading"
+                     : "");
+  fmt::print("then run: ggrade calibrate {} --only {}\n", target.id, path.stem().string());
+}
+
+/// Two seeds: every program is judged with every setting.
+calibration::CrossValidation crossValidate(const Options& options, const Target& target,
+                                           const fs::path& solutions,
+                                           std::vector<calibration::Program> programs,
+                                           std::vector<std::uint64_t> seeds) {
+  std::erase_if(programs, [](const calibration::Program& program) {
+    return program.kind != calibration::Kind::variant && program.kind != calibration::Kind::mistake;
+  });
+  seeds.resize(std::min<std::size_t>(seeds.size(), 2));
+  Progress progress("calibrating " + target.id);
+  const auto trials = calibration::tryTolerances(target, solutions, programs, seeds, options.jobs,
+                                                 std::ref(progress));
+  return calibration::crossValidate(target.id, target.items(), trials);
+}
+
+void calibrate(const Options& options) {
+  const std::vector<Target> targets = partsOf(options.id);
+  const fs::path out = outputFolder(
+      options.out.empty() ? (fs::path("out/calibrate") / options.id).string() : options.out);
+  requireSandbox();
+  nlohmann::json parts = nlohmann::json::array();
+  std::vector<calibration::PagePart> pages;
+  std::string tables, failures;
+  for (const Target& target : targets) {
+    const fs::path solutions = solutionFolder(target.assignment.id);
+    const auto catalogue = grading::loadCatalogue(target.assignment, target.parts[0], solutions,
+                                                  catalogueFolder(options, solutions));
+    Progress progress("calibrating " + target.id);
+    calibration::MeasureOptions how;
+    how.seeds = seedsOf(options, target, solutions);
+    how.jobs = options.jobs;
+    how.progress = std::ref(progress);
+    const auto programs =
+        calibration::programsOf(target.assignment, catalogue, solutions, options.only);
+    const auto measured = calibration::measure(target, solutions, programs, how);
+    progress.clear();
+    const auto verdicts = calibration::judge(target.id, target.items(), measured);
+    tables += calibration::tableOf(verdicts) + '\n';
+    for (const std::string& failure : verdicts.failures()) failures += failure + '\n';
+    parts.push_back(calibration::toJson(verdicts, measured));
+    pages.push_back({target.parts[0].title, verdicts, measured, {}});
+    if (options.skipTrials || !options.only.empty()) continue;
+    const auto crossed = crossValidate(options, target, solutions, programs, how.seeds);
+    parts.back()["cross_validation"] = calibration::toJson(crossed);
+    pages.back().sections.push_back(calibration::sectionOf(crossed));
+    tables += pages.back().sections.back().text + "\n\n";
+  }
+  const nlohmann::json all = {{"parts", parts}};
+  grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
+  report::writeFile(work.path() / "calibration.json", all.dump(1) + '\n');
+  report::writeFile(work.path() / "index.html", calibration::calibrationPage(pages));
+  work.publish(out);
+  if (options.json)
+    std::cout << all.dump(2) << '\n';
+  else
+    std::cout << tables << (out / "index.html").string() << '\n';
+  if (failures.empty()) return;
+  std::cout.flush();
+  fmt::print(stderr, "ggrade: right and wrong answers don't separate:\n{}", failures);
+  exitCode = kNotGradable;
+}
+
+} // namespace
+
+void addCalibrate(CLI::App& app) {
+  auto* command = app.add_subcommand(
+      "calibrate", "Grades every catalogued mistake and right answer; fails where they don't "
+                   "separate");
+  auto options = std::make_shared<Options>();
+  command->add_option("ID", options->id, "A part, an assignment, or all")->required();
+  command->add_option("--seeds", options->seeds, "Each program is graded with so many seeds")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  auto* first =
+      command->add_option("--first-seed", options->firstSeed,
+                          "Seeds from here on (default: the assignment's, then 1, 2, ...)");
+  command->add_option("--only", options->only,
+                      "Names or kinds: reference, variant, mistake, pair, pictures, stub");
+  command->add_option("--out", options->out, "Where the results go (default out/calibrate/ID)");
+  command->add_option("--catalogue", options->catalogue,
+                      "The folder with mistakes/ and variants/ (default: the solution's)");
+  command->add_option("--jobs", options->jobs, "Gradings at a time")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  command->add_flag("--skip-tolerances", options->skipTrials,
+                    "Don't try other tolerances than the published ones (--only skips it, too)");
+  command->add_flag("--json", options->json, "Print calibration.json on stdout");
+  auto* adopted = command->add_option("--adopt", options->adopt,
+                                      "Take this submission into the catalogue, anonymously");
+  command->add_option("--as", options->as, "What the submission is: variant or mistake")
+      ->check(CLI::IsMember({"variant", "mistake"}))
+      ->needs(adopted);
+  command->add_option("--name", options->name, "Name of the adopted patch, without the part")
+      ->needs(adopted);
+  command->footer(
+      "What must hold on every seed: a right answer scores at least 98; a mistake loses 60% of "
+      "its\n"
+      "item's points and, where that is required, 15 in all; pictures without a program and the "
+      "stub\n"
+      "score 0; two mistakes cost no less than the dearer one; a right answer's score moves by at\n"
+      "most 1 from seed to seed. Gradings are kept in the cache: what was broken off goes on.\n"
+      "Exit codes: 0 all of it holds, 1 it doesn't, 2 usage, 3 no sandbox, 130 broken off.\n\n"
+      "Examples:\n"
+      "  ggrade calibrate all\n"
+      "  ggrade calibrate mirror --seeds 2 --only light_not_mirrored variant\n"
+      "  ggrade calibrate mirror --adopt uploads/disputed --as variant --name two_textures");
+  command->callback([options, first, adopted] {
+    options->haveFirstSeed = first->count() > 0;
+    if (adopted->count() > 0)
+      adopt(*options);
+    else
+      calibrate(*options);
+  });
+}
+
+} // namespace ggrade::cli

@@ -1,0 +1,91 @@
+#include "rubric/rubric.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+
+#include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace ggrade::rubric {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// Everything that is the same for all submissions.
+struct Common {
+  Evidence evidence;
+  std::vector<ItemDeclaration> items;
+  Floors floors;
+};
+
+/// Judges one submission; runs in a process of its own.
+void answer(Common& common, const json& request) {
+  const json& folders = request.at("students");
+  for (std::size_t i = 0; i < common.evidence.scenes.size(); ++i)
+    readStudent(common.evidence.scenes[i], folders.at(i).get<std::string>());
+  std::ofstream out(request.at("results").get<std::string>(), std::ios::app);
+  for (const ItemDeclaration& item : common.items)
+    out << lineOf(item, decide(item, judgeOf(item.id), common.evidence, &common.floors)).dump()
+        << std::endl;
+}
+
+/// What became of the process that answers; "" if all is well.
+std::string waitFor(pid_t pid) {
+  int status = 0;
+  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status)) return fmt::format("the judge died of signal {}", WTERMSIG(status));
+  return WEXITSTATUS(status) == 0
+             ? std::string()
+             : fmt::format("the judge ended with code {}", WEXITSTATUS(status));
+}
+
+[[noreturn]] void handle(Common& common, const std::string& line) {
+  const json request = json::parse(line);
+  const fs::path done = request.at("done").get<std::string>();
+  const fs::path problem = done.string() + ".problem";
+  std::ofstream(problem).flush();
+  const pid_t pid = fork();
+  if (pid == 0) {
+    try {
+      answer(common, request);
+      _exit(0);
+    } catch (const std::exception& error) {
+      std::ofstream(problem) << error.what();
+      _exit(1);
+    }
+  }
+  if (const std::string end = waitFor(pid); !end.empty())
+    std::ofstream(problem, std::ios::app) << (fs::file_size(problem) ? ": " : "") << end;
+  fs::rename(problem, done);
+  _exit(0);
+}
+
+} // namespace
+
+int serveJudge(const fs::path& evidenceFile) {
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  Common common;
+  common.evidence = readEvidence(evidenceFile);
+  common.items =
+      findTarget(common.evidence.assignmentFolder.parent_path(), common.evidence.target).items();
+  for (const ItemDeclaration& item : common.items)
+    warm(item, judgeOf(item.id), common.evidence, common.floors);
+  for (std::string line; std::getline(std::cin, line);) {
+    while (waitpid(-1, nullptr, WNOHANG) > 0) {
+    }
+    if (fork() == 0) handle(common, line);
+  }
+  while (wait(nullptr) > 0) {
+  }
+  return 0;
+}
+
+} // namespace ggrade::rubric
