@@ -86,7 +86,8 @@ std::string headerOf(const Part& part, const fs::path& solutionFolder, AdoptAs a
   if (!fails->scenes.empty()) {
     tag = fails->scenes[0];
   } else {
-    for (const auto& scene : readJson(solutionFolder / "scenes.json").at("scenes"))
+    const nlohmann::json scenes = readJson(solutionFolder / "scenes.json");
+    for (const auto& scene : scenes.at("scenes"))
       if (tag.empty() && scene.value("parts", nlohmann::json()) == nlohmann::json{part.id} &&
           scene.contains("tags"))
         tag = scene["tags"].at(0);

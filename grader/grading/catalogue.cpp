@@ -35,9 +35,11 @@ std::vector<fs::path> patches(const fs::path& folder, const std::string& part) {
 /// Tags of the scenes that are drawn where only this part is graded.
 std::set<std::string> sceneTags(const fs::path& solutionFolder, const std::string& part) {
   std::set<std::string> tags;
-  for (const json& scene : readJson(solutionFolder / "scenes.json").at("scenes"))
-    if (scene.value("parts", json::array({part})) == json::array({part}))
-      for (const std::string tag : scene.value("tags", json::array())) tags.insert(tag);
+  const json scenes = readJson(solutionFolder / "scenes.json");
+  using Words = std::vector<std::string>;
+  for (const json& scene : scenes.at("scenes"))
+    if (scene.value("parts", Words{part}) == Words{part})
+      for (const std::string& tag : scene.value("tags", Words())) tags.insert(tag);
   return tags;
 }
 

@@ -124,7 +124,7 @@ TEST_F(CatalogueTest, UnknownStepTagPartAndOutcomeAreAllNamedAtOnce) {
 TEST_F(CatalogueTest, ATagThatNoSceneOfThePartHasIsNamed) {
   faulty("Shows: mirror", "Shows: grazing");
   EXPECT_THAT(problem(), HasSubstr("Shows: no scene of mirror has the tag \"grazing\"; there are "
-                                   "blurred, mirror, sunk"));
+                                   "blurred, mirror, mirror_moved, mirror_resized, sunk"));
 }
 
 TEST_F(CatalogueTest, ARightAnswerMustNotLoseWhatIsRequired) {
@@ -159,22 +159,27 @@ TEST_F(CatalogueTest, SameMustNameAnotherMistake) {
 TEST_F(CatalogueTest, TwoPatchesAreAppliedInARowAndMayAddAFile) {
   const Assignment assignment = Assignment::load(GGRADE_SOURCE_DIR "/assignments/floor");
   const std::string screen = readFile(kSolution / "screen.vert");
-  const std::string first = screen.substr(0, screen.find('\n'));
+  std::istringstream lines(screen);
+  std::string first, second, third;
+  std::getline(lines, first);
+  std::getline(lines, second);
+  std::getline(lines, third);
   const std::string header =
       "diff --git a/solutions/floor/screen.vert b/solutions/floor/screen.vert\n"
       "--- a/solutions/floor/screen.vert\n"
       "+++ b/solutions/floor/screen.vert\n";
-  const fs::path one = files_.write("one.patch", "Title: one\n\n" + header + "@@ -1,1 +1,2 @@\n " +
-                                                     first + "\n+// one\n");
+  const fs::path one = files_.write("one.patch", "Title: one\n\n" + header + "@@ -1,2 +1,3 @@\n " +
+                                                     first + "\n+// one\n " + second + "\n");
   const fs::path two = files_.write(
       "two.patch",
       "Title: two\n\ndiff --git a/solutions/floor/mine.glsl b/solutions/floor/mine.glsl\n"
       "new file mode 100644\n--- /dev/null\n+++ b/solutions/floor/mine.glsl\n"
       "@@ -0,0 +1 @@\n+// new\n" +
-          header + "@@ -1,1 +1,2 @@\n " + first + "\n+// two\n");
+          header + "@@ -2,2 +2,3 @@\n " + second + "\n+// two\n " + third + "\n");
   grading::writePatched(assignment, kSolution, {one, two}, files_.path() / "both");
   EXPECT_EQ(readFile(files_.path() / "both/screen.vert"),
-            first + "\n// two\n// one\n" + screen.substr(first.size() + 1));
+            first + "\n// one\n" + second + "\n// two\n" +
+                screen.substr(first.size() + second.size() + 2));
   EXPECT_EQ(readFile(files_.path() / "both/mine.glsl"), "// new\n");
   EXPECT_FALSE(fs::exists(files_.path() / "both/rubric_common.hpp"));
 
