@@ -53,10 +53,14 @@ Mask meetings(const Image& probe) {
   return found;
 }
 
+/// Share of the light that the floor reflects, by channel.
+std::array<float, 3> reflectance(const SceneEvidence& scene) {
+  return scene.scene.at("materials").at("floor").at("specular").get<std::array<float, 3>>();
+}
+
 /// The scene without reflection, with the background's reflection added everywhere.
 Image withSky(const SceneEvidence& scene, const Image& plain) {
-  const auto specular =
-      scene.scene.at("materials").at("floor").at("specular").get<std::array<float, 3>>();
+  const std::array<float, 3> specular = reflectance(scene);
   const auto background = scene.scene.at("background").get<std::array<float, 3>>();
   Image image = plain;
   for (int y = 0; y < image.height(); ++y)
@@ -177,11 +181,18 @@ GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
     if (quality >= best.quality) best = {quality, message};
   }
   if (best.quality >= 1) return best;
-  // A reflection that is made in another way is right if the floor is.
-  Verdict floor = within(view, 0, erode(regionsOf(view.scene, 0).reflection, 1), "on the floor");
-  floor.quality = std::min(floor.quality, coverage(view, 0).quality);
-  if (floor.quality <= best.quality) return best;
-  return {floor.quality, best.message + "; but the floor counts: " + floor.message};
+  // A reflection that is made in another way is right if the floor is, all of it.
+  const Mask& floor = regionsOf(view.scene, 0).floor;
+  CompareOptions options;
+  options.mask = &floor;
+  const Comparison comparison = compare(view.frames.at(0), frame, options);
+  const std::size_t objects = regionsOf(view.scene, 0).reflection.count();
+  const double share = double(comparison.wrongPixels) / double(std::max<std::size_t>(objects, 1));
+  const double quality = comparison.compared() ? qualityOf(share) : 0;
+  if (quality <= best.quality) return best;
+  return {quality, best.message + fmt::format("; but the floor counts: {:.1f}% as many of its "
+                                              "pixels differ as reflect objects{}",
+                                              100 * share, densestAt(comparison.densest))};
 });
 
 using Colour = std::array<float, 3>;
@@ -295,8 +306,28 @@ GGRADE_ITEM("mirror.clip", [](const View& view) {
   });
 });
 
+/// Floor that shows its own light and, at most, as much more as it can reflect: whatever else is
+/// wrong with the reflection there, the floor is not spoiled.
+Mask floorWithAnyReflection(const View& view, std::size_t frame) {
+  const Image& image = view.frames.at(frame);
+  const Image& plain = view.scene.probes.at("plain").at(frame);
+  const Mask& floor = regionsOf(view.scene, frame).floor;
+  const std::array<float, 3> specular = reflectance(view.scene);
+  Mask explained(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      bool all = floor.at(x, y);
+      for (int c = 0; c < 3 && all; ++c) {
+        const float added = image.at(x, y, c) - plain.at(x, y, c);
+        all = added >= -kTolerance && added <= specular[std::size_t(c)] + kTolerance;
+      }
+      if (all) explained.set(x, y);
+    }
+  return explained;
+}
+
 /// Share of the pixels away from the reflection that look neither like the reference nor like the
-/// scene without any reflection.
+/// scene with any reflection or none.
 double spoiled(const View& view, std::size_t frame, std::string& where) {
   const Regions& regions = regionsOf(view.scene, frame);
   const Mask region = ~dilate(regions.reflection | regions.clipped, 2);
@@ -305,7 +336,9 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
   const Comparison full = compare(view.frames.at(frame), view.scene.reference.at(frame), options);
   const Comparison bare =
       compare(view.frames.at(frame), view.scene.probes.at("plain").at(frame), options);
-  const Mask wrong = full.compared() && bare.compared() ? full.wrong & bare.wrong : region;
+  const Mask wrong = full.compared() && bare.compared()
+                         ? full.wrong & bare.wrong & ~floorWithAnyReflection(view, frame)
+                         : region;
   const Window densest = densestWindow(wrong);
   const double share = double(wrong.count()) / double(std::max<std::size_t>(region.count(), 1));
   where = fmt::format("{:.1f}% of the pixels away from the reflection differ{}", 100 * share,
