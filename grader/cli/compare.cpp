@@ -1,5 +1,6 @@
 #include "cli/compare.hpp"
 
+#include "image/difference.hpp"
 #include "image/files.hpp"
 #include "image/ssim.hpp"
 #include "image/statistics.hpp"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <exception>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <system_error>
@@ -30,6 +32,8 @@ struct Findings {
   Comparison tolerant;
   int judgedChannels = 0;
   double structural = 0;
+  std::optional<Flip> flip;
+  std::optional<Exposures> exposures; // of HDR-FLIP
 };
 
 const char* verdictName(CompareExit verdict) {
@@ -91,6 +95,20 @@ bool comparable(const CompareArguments& a, const FileImage& image, const FileIma
   return true;
 }
 
+void addFlip(const CompareArguments& a, const FileImage& image, const FileImage& reference,
+             Findings& found) {
+  if (image.floats != reference.floats)
+    throw std::runtime_error("--flip: one file holds linear floats, the other display values; save "
+                             "both alike");
+  if (found.channels == 2) throw std::runtime_error("--flip: two channels are no colour");
+  if (!image.floats) {
+    found.flip = ldrFlip(image.image, reference.image, a.pixelsPerDegree);
+    return;
+  }
+  found.flip = hdrFlip(image.image, reference.image, a.pixelsPerDegree);
+  found.exposures = flipExposures(reference.image);
+}
+
 Findings compareFiles(const CompareArguments& a, const FileImage& image,
                       const FileImage& reference) {
   Findings found;
@@ -108,6 +126,7 @@ Findings compareFiles(const CompareArguments& a, const FileImage& image,
   found.judgedChannels = options.channels;
   found.tolerant = compare(image.image, reference.image, options);
   if (!found.tolerant.compared()) found.reason = found.tolerant.message;
+  if (a.flip) addFlip(a, image, reference, found);
   found.verdict = verdict(a, found.statistics, found.pixels);
   return found;
 }
@@ -168,6 +187,12 @@ void printNumbers(std::ostream& out, const CompareArguments& a, const Findings& 
        double(a.tolerant.tolerance), a.tolerant.radius, found.judgedChannels, found.channels);
   out << "    " << found.tolerant.message << '\n';
   line("    mean difference %+.4g, SSIM %.5f", found.tolerant.meanDifference, found.structural);
+  if (!found.flip) return;
+  line("  FLIP %.6f (%s, %.4g pixels per degree)", found.flip->mean,
+       found.exposures ? "HDR" : "LDR", a.pixelsPerDegree);
+  if (found.exposures)
+    line("    the largest of %d exposures from %+.4g to %+.4g stops", found.exposures->count,
+         found.exposures->start, found.exposures->stop);
 }
 
 Json jsonOf(const CompareArguments& a, const Findings& found) {
@@ -187,6 +212,14 @@ Json jsonOf(const CompareArguments& a, const Findings& found) {
   json["failPixels"] = s.failPixels;
   json["warnPixels"] = s.warnPixels;
   json["ssim"] = found.structural;
+  if (found.flip)
+    json["flip"] = {{"mean", found.flip->mean},
+                    {"range", found.exposures ? "HDR" : "LDR"},
+                    {"pixelsPerDegree", a.pixelsPerDegree}};
+  if (found.exposures)
+    json["flip"]["exposures"] = {{"start", found.exposures->start},
+                                 {"stop", found.exposures->stop},
+                                 {"count", found.exposures->count}};
   const auto& t = found.tolerant;
   const auto& w = t.densest;
   json["tolerant"] = {
@@ -238,7 +271,8 @@ CompareExit runCompare(const CompareArguments& a, std::ostream& out, std::ostrea
 
   const Findings found = compareFiles(a, image, reference);
   if (!a.out.empty() && found.comparable)
-    writeImageFile(a.out, differenceImage(a, image.image, reference.image));
+    writeImageFile(a.out, found.flip ? heatPicture(found.flip->map)
+                                     : differenceImage(a, image.image, reference.image));
   report(a, found, image, reference, out);
   if (!out.flush()) throw std::runtime_error("cannot write to standard output");
   return found.verdict;

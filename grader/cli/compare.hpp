@@ -4,6 +4,7 @@
 /// use.
 
 #include "image/compare.hpp"
+#include "image/flip.hpp"
 
 #include <filesystem>
 #include <iosfwd>
@@ -38,11 +39,13 @@ struct CompareArguments {
   bool absolute = false;     ///< difference image of absolute values
   bool quiet = false;
   bool json = false;
+  bool flip = false; ///< FLIP too; `out` then is its heat map
+  double pixelsPerDegree = kFlipPixelsPerDegree;
   CompareOptions tolerant; ///< the grade's comparison; channels 0: all but alpha
 };
 
-/// Compares, prints to `out` (what went wrong to `errors`), writes the difference image. Never
-/// throws for what the files hold.
+/// Compares, prints to `out` (what went wrong to `errors`), writes the difference or FLIP's image.
+/// Never throws for what the files hold.
 CompareExit runCompare(const CompareArguments& arguments, std::ostream& out, std::ostream& errors);
 
 } // namespace ggrade::cli

@@ -32,18 +32,26 @@ How grades compare
   image's values within R pixels, widened by T, in both directions. Published tolerances:
   R = 1 pixel, T = 3.5/255 (three steps of 8 bits pass, four do not). Alpha is not judged.
   Errors are counted over the image and in the densest window of 32x32 pixels.
+  Points depend on these numbers only. The mean and RMS errors, SSIM and FLIP cost none: a small
+  thing that is missing hardly moves them, an edge that moved by a pixel does.
+
+FLIP (--flip)
+  How visible the differences are to somebody who flips between the pictures: 0 no difference, 1 as
+  large as can be (Andersson et al. 2020). Files of floats (.exr) count as linear light and are
+  looked at in several exposures (HDR-FLIP, 2021), all others as display values.
 
 Examples
   ggrade compare mine.png reference.png
   ggrade compare -fail 0.016 -failpercent 1 mine.png reference.png
   ggrade compare mine.exr reference.exr --abs --scale 10 -o difference.png
+  ggrade compare mine.png reference.png --flip -o flip.png
 )";
 
 // CLI11 reads -fail as -f -a -i -l; idiff's scripts mean --fail.
 std::vector<std::string> withDoubleHyphens(int argc, char** argv) {
-  constexpr std::array<std::string_view, 14> names{
-      "fail",  "failpercent", "hardfail", "warn",   "warnpercent", "hardwarn", "out",
-      "scale", "abs",         "json",     "radius", "tolerance",   "channels", "help"};
+  constexpr std::array<std::string_view, 16> names{
+      "fail", "failpercent", "hardfail", "warn",      "warnpercent", "hardwarn", "out", "scale",
+      "abs",  "json",        "radius",   "tolerance", "channels",    "flip",     "ppd", "help"};
   std::vector<std::string> arguments(argv + std::min(argc, 1), argv + argc);
   for (std::string& argument : arguments) {
     if (argument == "--") break;
@@ -89,6 +97,15 @@ void addOptions(CLI::App& app, CompareArguments& a) {
                  "compare the first N channels (default: all but alpha)")
       ->check(CLI::Range(1, 4))
       ->group(grade);
+
+  const char* flip = "FLIP";
+  app.add_flag("--flip", a.flip, "compute FLIP too; --out then writes its heat map")->group(flip);
+  app.add_option(
+         "--ppd", a.pixelsPerDegree,
+         "pixels that a degree of sight covers (default 67: 3840 pixels on 0.7 m, seen from "
+         "0.7 m)")
+      ->check(CLI::Range(ggrade::kFlipMinPixelsPerDegree, ggrade::kFlipMaxPixelsPerDegree))
+      ->group(flip);
 
   app.add_option("-o,--out", a.out, "write A - B to this file (.png, .exr, ...), opaque");
   app.add_option("--scale", a.scale, "factor on the difference image (default 1)");

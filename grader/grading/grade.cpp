@@ -5,6 +5,7 @@
 #include "grading/workspace.hpp"
 #include "image/compare.hpp"
 #include "image/difference.hpp"
+#include "image/flip.hpp"
 #include "report/text.hpp"
 
 #include <fmt/format.h>
@@ -49,6 +50,10 @@ report::Frame compareFrames(const Image& student, const Image& reference, double
   const Comparison comparison = compare(student, reference);
   frame.wrongShare = comparison.wrongShare;
   frame.difference = differencePicture(student, reference);
+  if (!comparison.compared()) return frame;
+  const Flip flip = ldrFlip(student, reference);
+  frame.flip = flip.mean;
+  frame.flipPicture = heatPicture(flip.map);
   return frame;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -143,6 +145,11 @@ void judgeRow(const Image& student, const Image& reference, int y, int channels,
   }
 }
 
+std::size_t judgedIn(const Mask& mask, int y) {
+  const auto row = mask.row(y);
+  return std::accumulate(row.begin(), row.end(), std::size_t(0));
+}
+
 // Both images have the same size and channel count and are finite.
 Comparison judge(const Image& student, const Image& reference, int channels,
                  const CompareOptions& options) {
@@ -152,9 +159,18 @@ Comparison judge(const Image& student, const Image& reference, int channels,
   NeighbourhoodRows studentRange(student, options.radius);
   NeighbourhoodRows referenceRange(reference, options.radius);
   std::vector<float> errors;
+  const auto width = std::size_t(reference.width());
   for (int y = 0; y < reference.height(); ++y) {
-    studentRange.advance();
-    referenceRange.advance();
+    const std::size_t judged = options.mask ? judgedIn(*options.mask, y) : width;
+    if (judged == 0) continue;
+    // A value lies in its own neighbourhood's range: equal rows have no error, whatever is near.
+    const auto s = student.row(y), r = reference.row(y);
+    if (std::memcmp(s.data(), r.data(), s.size_bytes()) == 0) {
+      result.judgedPixels += judged;
+      continue;
+    }
+    studentRange.moveTo(y);
+    referenceRange.moveTo(y);
     rangeErrors(student.row(y), reference.row(y), studentRange, referenceRange, errors);
     judgeRow(student, reference, y, channels, errors, options, result);
   }
@@ -182,6 +198,20 @@ Comparison compare(const Image& student, const Image& reference, const CompareOp
     return judge(firstChannels(student, channels), firstChannels(reference, channels), channels,
                  options);
   return judge(student, reference, channels, options);
+}
+
+BestComparison compareWithBest(const Image& student, std::span<const Image* const> references,
+                               const CompareOptions& options) {
+  if (references.empty()) throw std::invalid_argument("compareWithBest: there is no reference");
+  BestComparison best;
+  for (std::size_t i = 0; i < references.size(); ++i) {
+    Comparison one = compare(student, *references[i], options);
+    const bool better = one.compared() && (!best.comparison.compared() ||
+                                           one.wrongShare < best.comparison.wrongShare);
+    if (i == 0 || better) best = {std::move(one), i};
+    if (best.comparison.compared() && best.comparison.wrongPixels == 0) break;
+  }
+  return best;
 }
 
 } // namespace ggrade

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace ggrade {
@@ -89,5 +90,18 @@ struct Comparison {
 /// included.
 Comparison compare(const Image& student, const Image& reference,
                    const CompareOptions& options = {});
+
+/// `compare` with whichever of several right images comes closest.
+struct BestComparison {
+  Comparison comparison;
+  std::size_t reference = 0; ///< which one, counted from 0
+};
+
+/// Compares with one reference after the other until one fits without a wrong pixel; else the one
+/// with the smallest wrong share wins, the first of equals. References that cannot be compared are
+/// passed over; if none can, the first one's refusal is returned. Throws like `compare`, and
+/// std::invalid_argument without any reference. Pointers must not be null.
+BestComparison compareWithBest(const Image& student, std::span<const Image* const> references,
+                               const CompareOptions& options = {});
 
 } // namespace ggrade

@@ -27,6 +27,15 @@ Image differencePicture(const Image& student, const Image& reference, float full
   return picture;
 }
 
+Image heatPicture(const Image& map) {
+  if (map.empty()) return {};
+  Image picture(map.width(), map.height(), 4, 1.0f);
+  for (int y = 0; y < map.height(); ++y)
+    for (int x = 0; x < map.width(); ++x)
+      std::ranges::copy(heatColour(map.at(x, y)), picture.pixel(x, y).begin());
+  return picture;
+}
+
 void markWindow(Image& image, const Window& window, std::array<float, 3> colour, int thickness) {
   if (window.width <= 0 || window.height <= 0) return;
   const auto paint = [&](int x, int y) {

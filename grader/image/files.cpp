@@ -115,6 +115,7 @@ FileImage readImageFile(const fs::path& path) {
                firstLine(input->geterror()) + "; the file is damaged or cut short, write it again");
   FileImage result;
   result.image = displayed(stored, spec);
+  result.floats = spec.format.is_floating_point();
   result.parts = input->seek_subimage(1, 0) ? 2 : 1;
   return result;
 }

@@ -12,8 +12,9 @@ namespace ggrade {
 
 /// An image and what its file says about it.
 struct FileImage {
-  Image image;   ///< values as stored: integers become 0 to 1, alpha is not multiplied in
-  int parts = 1; ///< 2 if the file holds more than the first image, which is the one read
+  Image image;         ///< values as stored: integers become 0 to 1, alpha is not multiplied in
+  int parts = 1;       ///< 2 if the file holds more than the first image, which is the one read
+  bool floats = false; ///< stored as floats: linear light of any range, not display values
 };
 
 /// Reads the first image of a file, over its whole display window (outside the stored pixels 0).

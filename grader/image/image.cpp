@@ -70,9 +70,10 @@ Image firstChannels(const Image& image, int channels) {
     throw std::invalid_argument("firstChannels: the image has only " +
                                 std::to_string(image.channels()) + " channels");
   Image result(image.width(), image.height(), channels);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x)
-      std::ranges::copy(image.pixel(x, y).first(std::size_t(channels)), result.pixel(x, y).begin());
+  const float* from = image.values().data();
+  float* to = result.values().data();
+  for (std::size_t i = 0; i < image.pixelCount(); ++i, from += image.channels(), to += channels)
+    for (int c = 0; c < channels; ++c) to[c] = from[c];
   return result;
 }
 

@@ -41,11 +41,10 @@ void NeighbourhoodRows::scanRow(int y) {
   }
 }
 
-void NeighbourhoodRows::advance() {
-  ++row_;
-  const int first = std::max(0, row_ - radius_);
-  const int last = std::min(image_.height() - 1, row_ + radius_);
-  for (; scanned_ <= last; ++scanned_) scanRow(scanned_);
+void NeighbourhoodRows::moveTo(int row) {
+  const int first = std::max(0, row - radius_);
+  const int last = std::min(image_.height() - 1, row + radius_);
+  for (scanned_ = std::max(scanned_, first); scanned_ <= last; ++scanned_) scanRow(scanned_);
 
   const auto slots = ringLow_.size();
   low_ = ringLow_[std::size_t(first) % slots];

@@ -16,8 +16,9 @@ class NeighbourhoodRows {
 public:
   /// `image` must outlive this object and hold finite values only.
   NeighbourhoodRows(const Image& image, int radius);
-  /// Moves to the next row; the first call moves to row 0.
-  void advance();
+  /// Moves down to row `y`; rows must come in ascending order. Rows passed over cost nothing unless
+  /// they are neighbours.
+  void moveTo(int y);
   /// `width * channels` values of the current row.
   std::span<const float> low() const { return low_; }
   std::span<const float> high() const { return high_; }
@@ -27,8 +28,7 @@ private:
 
   const Image& image_;
   int radius_;
-  int row_ = -1;
-  int scanned_ = 0;           // rows whose horizontal range is in the ring, from the top
+  int scanned_ = 0;           // first row that was not yet looked at
   std::vector<float> padded_; // a row with its edge pixels repeated `radius` times
   std::vector<std::vector<float>> ringLow_, ringHigh_; // row y in slot y % (2 radius + 1)
   std::vector<float> low_, high_;

@@ -5,6 +5,7 @@
 #include "image/image.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -56,6 +57,9 @@ struct Frame {
   Image student, reference, difference;
   double wrongShare = 0; ///< of all pixels, tolerant comparison
   std::string hash;      ///< of the student's bytes: equal hashes are bit-identical frames
+  /// FLIP (image/flip.hpp), for people: 0 to 1; unless there was a pair to compare, not a number.
+  double flip = std::numeric_limits<double>::quiet_NaN();
+  Image flipPicture; ///< its map as a heat map
 };
 
 struct Scene {

@@ -117,6 +117,7 @@ Json extraData(const Result& result) {
     for (const Frame& frame : scene.frames)
       frames.push_back({{"time", value(frame.time)},
                         {"wrong_share", value(frame.wrongShare)},
+                        {"flip", value(frame.flip)},
                         {"hash", sanitizeLine(frame.hash)}});
     data["scenes"].push_back({{"name", sanitizeLine(scene.name)},
                               {"public", scene.isPublic},

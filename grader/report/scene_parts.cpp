@@ -5,6 +5,7 @@
 #include "report/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <functional>
 #include <future>
@@ -99,6 +100,13 @@ Data frameOf(const Scene& scene, const Frame& frame, const FramePictures& uris,
   pictures << pictureOf(frame.difference, uris[2], "difference", "Difference",
                         fmt::format("Difference, {}: bright where the pictures differ.", moment),
                         none ? "nothing to compare" : "not compared");
+  if (!std::isnan(frame.flip))
+    pictures << pictureOf(frame.flipPicture, uris[3], "flip",
+                          fmt::format("FLIP {}", number(frame.flip, 4)),
+                          fmt::format("FLIP, {}: bright where a person flipping between the "
+                                      "pictures sees a change.",
+                                      moment),
+                          "not compared");
   data["caption"] =
       Data(fmt::format("t = {} s, {}", number(frame.time, 3), none ? "no frame came" : wrong));
   data["pictures"] = std::move(pictures);
@@ -123,8 +131,8 @@ Pictures encode(const Result& result) {
   const auto uris = [](const Scene& scene) {
     std::vector<FramePictures> frames;
     for (const Frame& frame : scene.frames)
-      frames.push_back(
-          {pngDataUri(frame.student), pngDataUri(frame.reference), pngDataUri(frame.difference)});
+      frames.push_back({pngDataUri(frame.student), pngDataUri(frame.reference),
+                        pngDataUri(frame.difference), pngDataUri(frame.flipPicture)});
     return frames;
   };
   // Compressing is most of the time that a report takes: a thread a scene.

@@ -169,7 +169,7 @@ GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
     std::vector<Image> all;
     for (const Drawn& drawn : sampledLater(trace))
       if (drawn.attachment < trace::kColors && drewObjects(*drawn.pass))
-        all.push_back(firstChannels(trace.image(*drawn.copy), 3));
+        all.push_back(trace.image(*drawn.copy)); // alpha goes when it is resampled
     return all;
   };
   const std::vector<Image> wanted = textures(view.scene.referenceTrace);

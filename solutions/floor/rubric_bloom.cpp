@@ -67,19 +67,12 @@ Verdict picture(const View& view) {
     if (tooSmall(region)) return {1, "nothing glows in this frame"};
     CompareOptions options;
     options.mask = &region;
-    double least = 2;
-    std::string where;
-    const auto against = [&](const Image& reference) {
-      const Comparison comparison = compare(view.frames.at(i), reference, options);
-      if (comparison.wrongShare < least)
-        least = comparison.wrongShare, where = densestAt(comparison.densest);
-    };
-    against(view.scene.reference.at(i));
-    for (const char* filter : kFilters)
-      if (least > 0) against(view.scene.probes.at(filter).at(i));
-    return {qualityOf(least, kNothingOfPicture),
-            fmt::format("{:.1f}% of the {} pixels that bloom reaches differ{}", 100 * least,
-                        region.count(), where)};
+    std::vector<const Image*> right{&view.scene.reference.at(i)};
+    for (const char* filter : kFilters) right.push_back(&view.scene.probes.at(filter).at(i));
+    const Comparison best = compareWithBest(view.frames.at(i), right, options).comparison;
+    return {qualityOf(best.wrongShare, kNothingOfPicture),
+            fmt::format("{:.1f}% of the {} pixels that bloom reaches differ{}",
+                        100 * best.wrongShare, region.count(), densestAt(best.densest))};
   });
 }
 

@@ -24,6 +24,22 @@ const trace::SampleRecord* firstSample(const trace::Trace& trace, const trace::P
   return nullptr;
 }
 
+/// The two pixels that a target pixel lies between along one axis, and how near to the second.
+struct Between {
+  int first, second;
+  double share;
+};
+
+std::vector<Between> betweens(int from, int to) {
+  std::vector<Between> all;
+  for (int i = 0; i < to; ++i) {
+    const double at = std::clamp((i + 0.5) * from / to - 0.5, 0.0, double(from - 1));
+    const int first = int(at);
+    all.push_back({first, std::min(first + 1, from - 1), at - first});
+  }
+  return all;
+}
+
 } // namespace
 
 bool drewObjects(const trace::PassRecord& pass) {
@@ -52,21 +68,20 @@ std::vector<Drawn> sampledLater(const trace::Trace& trace) {
 }
 
 Image resampled(const Image& image, int width, int height, int channels) {
+  const std::vector<Between> across = betweens(image.width(), width);
+  const std::vector<Between> down = betweens(image.height(), height);
   Image out(width, height, channels);
   for (int y = 0; y < height; ++y) {
-    const double v =
-        std::clamp((y + 0.5) * image.height() / height - 0.5, 0.0, double(image.height() - 1));
-    const int y0 = int(v), y1 = std::min(y0 + 1, image.height() - 1);
-    for (int x = 0; x < width; ++x) {
-      const double u =
-          std::clamp((x + 0.5) * image.width() / width - 0.5, 0.0, double(image.width() - 1));
-      const int x0 = int(u), x1 = std::min(x0 + 1, image.width() - 1);
+    const Between& v = down[std::size_t(y)];
+    const float* upper = image.row(v.first).data();
+    const float* lower = image.row(v.second).data();
+    float* to = out.row(y).data();
+    for (const Between& u : across) {
+      const int first = u.first * image.channels(), second = u.second * image.channels();
       for (int c = 0; c < channels; ++c) {
-        const double top =
-            image.at(x0, y0, c) + (u - x0) * (image.at(x1, y0, c) - image.at(x0, y0, c));
-        const double bottom =
-            image.at(x0, y1, c) + (u - x0) * (image.at(x1, y1, c) - image.at(x0, y1, c));
-        out.at(x, y, c) = float(top + (v - y0) * (bottom - top));
+        const double top = upper[first + c] + u.share * (upper[second + c] - upper[first + c]);
+        const double bottom = lower[first + c] + u.share * (lower[second + c] - lower[first + c]);
+        *to++ = float(top + v.share * (bottom - top));
       }
     }
   }

@@ -153,9 +153,13 @@ LightComparison compareLight(const Image& found, const Image& wanted, double gai
     result.text = bad->text(found.channels());
     return result;
   }
-  Image image =
-      sameSize(found, wanted) ? found : resampled(found, wanted.width(), wanted.height(), 3);
-  for (float& value : image.values()) value = float(double(value) / gain);
+  Image changed;
+  if (!sameSize(found, wanted)) changed = resampled(found, wanted.width(), wanted.height(), 3);
+  if (gain != 1) {
+    if (changed.empty()) changed = found;
+    for (float& value : changed.values()) value = float(double(value) / gain);
+  }
+  const Image& image = changed.empty() ? found : changed;
   float most = 1e-20f;
   for (const float value : wanted.values()) most = std::max(most, value);
   // Light of any strength on a scale from 0 to 1: differences count in proportion where it is
@@ -171,15 +175,17 @@ LightComparison compareLight(const Image& found, const Image& wanted, double gai
   // Of the light, not of the dark around it.
   std::vector<double> ratios;
   std::size_t lit = 1;
-  for (int y = 0; y < wanted.height(); ++y)
-    for (int x = 0; x < wanted.width(); ++x) {
-      double a = 0, b = 0;
-      for (int c = 0; c < 3; ++c) a += double(image.at(x, y, c)), b += double(wanted.at(x, y, c));
-      if (b > 0.02 * double(most)) {
-        ++lit;
-        ratios.push_back(a / b);
-      }
+  ratios.reserve(wanted.pixelCount());
+  const float *p = image.values().data(), *q = wanted.values().data();
+  for (std::size_t i = 0; i < wanted.pixelCount();
+       ++i, p += image.channels(), q += wanted.channels()) {
+    const double a = double(p[0]) + double(p[1]) + double(p[2]);
+    const double b = double(q[0]) + double(q[1]) + double(q[2]);
+    if (b > 0.02 * double(most)) {
+      ++lit;
+      ratios.push_back(a / b);
     }
+  }
   result.wrongShare = std::min(1.0, double(comparison.wrongPixels) / double(lit));
   if (!ratios.empty()) {
     result.ratio = percentile(ratios, 0.5);

@@ -227,6 +227,47 @@ TEST_F(CompareCommand, JsonHoldsTheSameNumbers) {
   EXPECT_EQ(error["reason"], "cannot read 'no.png': there is no such file; check the name");
 }
 
+// Black against white: L differs by 100 of at most 203.3; HDR-FLIP shows white at 0.85.
+TEST_F(CompareCommand, FlipOfDisplayValues) {
+  write("black.png", Image(8, 6, 3, 0.0f));
+  write("white.png", Image(8, 6, 3, 1.0f));
+  const Ended result = run("--flip black.png white.png");
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.out, HasSubstr("\n  FLIP 0.967380 (LDR, 67.02 pixels per degree)\n"));
+  EXPECT_THAT(run("--flip white.png white.png").out, HasSubstr("FLIP 0.000000 (LDR"));
+  EXPECT_THAT(run("white.png black.png").out, Not(HasSubstr("FLIP")));
+  const auto json = nlohmann::json::parse(run("-json -flip -ppd 40 black.png white.png").out);
+  EXPECT_NEAR(json["flip"]["mean"].get<double>(), 0.9673798, 1e-6);
+  EXPECT_EQ(json["flip"]["range"], "LDR");
+  EXPECT_EQ(json["flip"]["pixelsPerDegree"], 40.0);
+  EXPECT_FALSE(json["flip"].contains("exposures"));
+}
+
+TEST_F(CompareCommand, FlipOfFloatsLooksAtSeveralExposures) {
+  write("dark.exr", Image(8, 6, 3, 2.0f));
+  write("bright.exr", Image(8, 6, 3, 8.0f));
+  const Ended result = run("--flip bright.exr dark.exr");
+  EXPECT_THAT(result.out,
+              HasSubstr("(HDR, 67.02 pixels per degree)\n    the largest of 2 exposures "
+                        "from +"));
+  const auto json = nlohmann::json::parse(run("--json --flip bright.exr dark.exr").out);
+  EXPECT_GT(json["flip"]["mean"].get<double>(), 0.05);
+  EXPECT_EQ(json["flip"]["range"], "HDR");
+  EXPECT_EQ(json["flip"]["exposures"]["count"], 2);
+  write("display.png", Image(8, 6, 3, 0.5f));
+  expectError("--flip dark.exr display.png", "--flip: one file holds linear floats, the other");
+  write("two.exr", Image(8, 6, 2, 0.5f));
+  expectError("--flip two.exr two.exr", "--flip: two channels are no colour");
+}
+
+TEST_F(CompareCommand, FlipWritesItsHeatMap) {
+  EXPECT_EQ(run("--flip grey.png dot.png -o map.png").exitCode, 2);
+  const Image map = readImageFile(folder_ / "map.png").image;
+  EXPECT_EQ(map.sizeText(), "40x20");
+  EXPECT_THAT(map.pixel(0, 0), testing::ElementsAre(0, 0, testing::FloatEq(4 / 255.0f), 1));
+  EXPECT_GT(map.at(31, 10, 0), 0.5f);
+}
+
 TEST_F(CompareCommand, NamesTheFileAndTheRemedy) {
   expectError("grey.png no.png", "cannot read 'no.png': there is no such file; check the name");
   expectError(". grey.png", "cannot read '.': it is a folder; name an image file in it");
@@ -260,6 +301,8 @@ TEST_F(CompareCommand, WrongCommandLinesSayWhatIsWrong) {
   expectError("grey.png dot.png -fail nan", "--fail: 'nan' is not a number of 0 or more");
   expectError("grey.png dot.png -fail much", "--fail");
   expectError("grey.png dot.png -radius 65", "--radius: Value 65 not in range 0 to 64");
+  expectError("grey.png dot.png --ppd 0", "--ppd: Value 0 not in range");
+  expectError("grey.png dot.png -flip -ppd nan", "--ppd");
   expectError("grey.png dot.png -tolerance inf", "the tolerance must be a finite number");
 }
 
@@ -267,9 +310,11 @@ TEST_F(CompareCommand, HelpPublishesTheTolerances) {
   for (const char* flag : {"--help", "-help", "-h"}) {
     const Ended help = run(flag);
     EXPECT_EQ(help.exitCode, 0) << flag;
-    EXPECT_THAT(help.out, AllOf(HasSubstr("Usage: ggrade compare [OPTIONS] A B"),
-                                HasSubstr("R = 1 pixel, T = 3.5/255"), HasSubstr("--hardwarn"),
-                                HasSubstr("ggrade compare mine.png reference.png")));
+    EXPECT_THAT(help.out,
+                AllOf(HasSubstr("Usage: ggrade compare [OPTIONS] A B"),
+                      HasSubstr("R = 1 pixel, T = 3.5/255"), HasSubstr("--hardwarn"),
+                      HasSubstr("Points depend on these numbers only"), HasSubstr("--flip"),
+                      HasSubstr("ggrade compare mine.png reference.png")));
   }
 }
 

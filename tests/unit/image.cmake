@@ -1,5 +1,5 @@
 # Image buffers, masks, comparison, PNG; and, apart from them, what needs OpenImageIO.
-foreach(source buffer mask window compare ssim difference png temporary_file)
+foreach(source buffer mask window compare ssim flip flip_hdr bad_input difference png temporary_file)
   list(APPEND image_sources ${CMAKE_CURRENT_LIST_DIR}/image_${source}_test.cpp)
 endforeach()
 find_package(PNG REQUIRED)

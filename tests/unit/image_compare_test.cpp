@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <random>
 #include <stdexcept>
@@ -200,6 +201,41 @@ TEST(Compare, SurvivesHugeValues) {
   EXPECT_DOUBLE_EQ(result.meanDifference, 2 * double(huge));
 }
 
+TEST(CompareWithBest, TakesTheReferenceThatFits) {
+  const Image dark(8, 8, 3, 0.2f), light(8, 8, 3, 0.8f), middle(8, 8, 3, 0.5f);
+  const auto best = compareWithBest(light, std::array{&dark, &middle, &light, &light});
+  EXPECT_EQ(best.reference, 2u) << "the first of equals";
+  EXPECT_EQ(best.comparison.wrongShare, 0);
+  EXPECT_EQ(best.comparison.message, "0% of 64 pixels differ");
+}
+
+TEST(CompareWithBest, TakesTheLeastWrongWhereNoneFits) {
+  const Image student = withLine(true);
+  Image oneOff = student, black(32, 32, 3);
+  oneOff.at(4, 4, 0) = 1;
+  const auto best = compareWithBest(student, std::array<const Image*, 2>{&black, &oneOff});
+  EXPECT_EQ(best.reference, 1u);
+  EXPECT_EQ(best.comparison.wrongPixels, compare(student, oneOff).wrongPixels);
+  EXPECT_GT(best.comparison.wrongPixels, 0u);
+  // The mask decides what counts.
+  Mask corner(32, 32);
+  corner.set(31, 31);
+  EXPECT_EQ(compareWithBest(student, std::array{&oneOff, &black}, {.mask = &corner}).reference, 0u);
+}
+
+TEST(CompareWithBest, PassesOverWhatCannotBeCompared) {
+  const Image student(8, 8, 3, 0.5f), wrong(8, 8, 3, 0.9f), small(4, 8, 3, 0.5f);
+  const auto best = compareWithBest(student, std::array{&small, &wrong});
+  EXPECT_EQ(best.reference, 1u);
+  EXPECT_TRUE(best.comparison.compared());
+  EXPECT_EQ(compareWithBest(student, std::array{&wrong, &small}).reference, 0u);
+  const auto none = compareWithBest(small, std::array{&student, &wrong});
+  EXPECT_EQ(none.reference, 0u);
+  EXPECT_EQ(none.comparison.status, ComparisonStatus::sizesDiffer);
+  EXPECT_EQ(none.comparison.wrongShare, 1);
+  EXPECT_THROW(compareWithBest(student, {}), std::invalid_argument);
+}
+
 TEST(Compare, RefusesOptionsThatMakeNoSense) {
   const Image image(8, 8, 3);
   const Mask other(8, 9, true);
@@ -220,8 +256,9 @@ TEST(NeighbourhoodRows, MatchItsDefinition) {
     Image image(19, 13, 3);
     for (float& value : image.values()) value = uniform(random);
     NeighbourhoodRows rows(image, radius);
-    for (int y = 0; y < 13; ++y) {
-      rows.advance();
+    // Every row, or with gaps.
+    for (int y = 0; y < 13; y += radius == 2 ? 1 + y % 5 : 1) {
+      rows.moveTo(y);
       for (int x = 0; x < 19; ++x)
         for (int c = 0; c < 3; ++c) {
           float low = 2, high = -2;

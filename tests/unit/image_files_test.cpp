@@ -1,3 +1,4 @@
+#include "image/compare.hpp"
 #include "image/files.hpp"
 #include "image/png.hpp"
 
@@ -174,6 +175,45 @@ TEST(ErrorStatistics, AgreeWithOpenImageIo) {
     EXPECT_EQ(ours.failPixels, theirs.failPixels);
     EXPECT_EQ(ours.warnPixels, theirs.warnPixels);
   }
+}
+
+// Values from 1e-6 to 1e30 of either sign, of which a few differ.
+TEST(ErrorStatistics, AgreeWithOpenImageIoOnLargeValues) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> exponent(-6, 30);
+    Image a(61, 47, 3);
+    for (float& value : a.values())
+      value = (random() % 2 ? 1.0f : -1.0f) * std::pow(10.0f, exponent(random));
+    Image b = a;
+    for (int i = 0; i < 500; ++i) b.values()[random() % b.values().size()] *= 1.5f;
+    const auto ours = errorStatistics(a, b, 1e10f, 1.0f);
+    const auto theirs = openImageIoStatistics(a, b, 1e10f, 1.0f);
+    EXPECT_NEAR(ours.meanError / theirs.meanError, 1, 1e-6);
+    EXPECT_NEAR(ours.rmsError / theirs.rmsError, 1, 1e-6);
+    EXPECT_NEAR(ours.psnr, theirs.psnr, 1e-4);
+    EXPECT_NEAR(ours.maxError / theirs.maxError, 1, 1e-6);
+    EXPECT_EQ(ours.maxX, theirs.maxX);
+    EXPECT_EQ(ours.maxY, theirs.maxY);
+    EXPECT_EQ(ours.failPixels, theirs.failPixels);
+    EXPECT_EQ(ours.warnPixels, theirs.warnPixels);
+    EXPECT_GT(ours.failPixels, 50u);
+  }
+}
+
+// Why it is a cross-check and no more: an image of nothing but NaN equals any other to it, and its
+// mean hides a small thing that is missing, of which ours names the densest window.
+TEST(ErrorStatistics, OfOpenImageIoAreBlindToNaNAndDiluteSmallThings) {
+  const Image grey(200, 100, 3, 0.5f);
+  const Image bad(200, 100, 3, std::numeric_limits<float>::quiet_NaN());
+  EXPECT_EQ(openImageIoStatistics(bad, grey, 1e-6f, 1e-6f).failPixels, 0u);
+  EXPECT_EQ(compare(bad, grey).status, ComparisonStatus::studentNotFinite);
+
+  Image dot = grey;
+  for (int y = 40; y < 46; ++y)
+    for (int x = 90; x < 96; ++x) dot.at(x, y, 0) = 0;
+  EXPECT_LT(openImageIoStatistics(grey, dot, 1e-6f, 1e-6f).meanError, 4e-4);
+  EXPECT_NEAR(compare(grey, dot).densest.share, 36.0 / 1024, 1e-9);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "report_samples.hpp"
 
 #include "image/png.hpp"
+#include "report/text.hpp"
 
 #include <gmock/gmock.h>
 
@@ -88,6 +89,12 @@ TEST(ResultPage, HasEveryPictureOnceAndASliderAScene) {
   EXPECT_EQ(count(page, "<img class=\"student\""), 6u);
   EXPECT_EQ(count(page, "<img class=\"reference\""), 6u);
   EXPECT_EQ(count(page, "<img class=\"difference\""), 6u);
+  EXPECT_EQ(count(page, "<img class=\"flip\""), 6u);
+  for (const Scene& scene : result.scenes)
+    for (const Frame& frame : scene.frames) {
+      EXPECT_THAT(page, HasSubstr(pngDataUri(frame.flipPicture)));
+      EXPECT_THAT(page, HasSubstr("<figcaption>FLIP " + number(frame.flip, 4) + "</figcaption>"));
+    }
   EXPECT_EQ(count(page, "<input type=\"range\""), 3u);
   EXPECT_EQ(count(page, "<input type=\"radio\""), 6u);
   EXPECT_THAT(page,

@@ -58,7 +58,8 @@ TEST(Reveal, HiddenPicturesNeedDetails) {
   const Result result = samples::partial(64, 48);
   for (std::size_t s = 1; s < 3; ++s)
     for (const Frame& frame : result.scenes[s].frames)
-      for (const Image* image : {&frame.student, &frame.reference, &frame.difference}) {
+      for (const Image* image :
+           {&frame.student, &frame.reference, &frame.difference, &frame.flipPicture}) {
         const std::string uri = pngDataUri(*image);
         EXPECT_THAT(studentText(result, Reveal::none), Not(HasSubstr(uri)));
         EXPECT_THAT(studentText(result, Reveal::names), Not(HasSubstr(uri)));

@@ -1,6 +1,7 @@
 #include "report_samples.hpp"
 
 #include "image/difference.hpp"
+#include "image/flip.hpp"
 
 #include <algorithm>
 #include <array>
@@ -76,6 +77,9 @@ Frame frame(Fault fault, double time, double turn, double wrong, int width, int 
              {},
              wrong};
   made.difference = differencePicture(made.student, made.reference);
+  const Flip flip = ldrFlip(made.student, made.reference);
+  made.flip = flip.mean;
+  made.flipPicture = heatPicture(flip.map);
   return made;
 }
 
