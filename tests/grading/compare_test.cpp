@@ -302,7 +302,7 @@ TEST_F(CompareCommand, WrongCommandLinesSayWhatIsWrong) {
   expectError("grey.png dot.png -fail much", "--fail");
   expectError("grey.png dot.png -radius 65", "--radius: Value 65 not in range 0 to 64");
   expectError("grey.png dot.png --ppd 0", "--ppd: Value 0 not in range");
-  expectError("grey.png dot.png -flip -ppd nan", "--ppd");
+  expectError("grey.png dot.png -flip -ppd nan", "pixels per degree must be 1 to 1000");
   expectError("grey.png dot.png -tolerance inf", "the tolerance must be a finite number");
 }
 
