@@ -19,7 +19,7 @@ ErrorStatistics errorStatistics(const Image& a, const Image& b, float fail, floa
         const double error = std::abs(double(p[c]) - double(q[c]));
         sum += error;
         squares += error * error;
-        peak = std::max({peak, double(p[c]), double(q[c])});
+        peak = std::max({peak, std::abs(double(p[c])), std::abs(double(q[c]))});
         pixelError = std::max(pixelError, error);
         if (error > result.maxError) {
           result.maxError = error;

@@ -14,7 +14,7 @@ struct ErrorStatistics {
   double meanError = 0; ///< mean of |a - b|
   double rmsError = 0;  ///< root of the mean of (a - b)^2
   double psnr =
-      0; ///< dB: 20 log10(peak / rmsError), peak the largest value, at least 1; may be infinite
+      0; ///< dB: 20 log10(peak / rmsError), peak the largest magnitude, at least 1; may be infinite
   double maxError = 0;
   int maxX = 0, maxY = 0, maxChannel = 0; ///< the first place in row order with that error
   std::size_t failPixels = 0;             ///< pixels with any channel off by more than `fail`
