@@ -1,0 +1,70 @@
+// The floor's own catalogue: every header is complete, and every patch still applies, alone and in
+// its pairs. What they are worth is for `ggrade calibrate` to say.
+
+#include "grading/catalogue.hpp"
+#include "grading/patched.hpp"
+
+#include "framework_temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace ggrade;
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::EndsWith;
+
+namespace {
+
+const fs::path kSolution = GGRADE_SOURCE_DIR "/solutions/floor";
+
+class FloorCatalogue : public testing::TestWithParam<const char*> {
+protected:
+  Target target_ = findTarget(GGRADE_SOURCE_DIR "/assignments", GetParam());
+  grading::Catalogue all_ =
+      grading::loadCatalogue(target_.assignment, target_.parts.at(0), kSolution, kSolution);
+
+  /// Applies the patches to the solution, in this order.
+  void expectToApply(const std::vector<fs::path>& patches) {
+    const TemporaryFolder into;
+    EXPECT_NO_THROW(
+        grading::writePatched(target_.assignment, kSolution, patches, into.path() / "submission"));
+  }
+};
+
+TEST_P(FloorCatalogue, HasEnoughOfEveryKind) {
+  EXPECT_GE(all_.mistakes.size(), 20u);
+  EXPECT_GE(all_.variants.size(), 10u);
+  EXPECT_GE(all_.pairs.size(), 20u);
+  std::vector<std::string> variants;
+  for (const grading::Variant& variant : all_.variants) variants.push_back(variant.name);
+  EXPECT_THAT(variants, Contains(EndsWith("_lecture")));
+}
+
+TEST_P(FloorCatalogue, EveryMistakeSpeaksInSentences) {
+  for (const grading::Mistake& mistake : all_.mistakes) {
+    EXPECT_THAT(mistake.symptom, EndsWith(".")) << mistake.name;
+    EXPECT_THAT(mistake.hint, testing::ContainsRegex("[.?]$")) << mistake.name;
+    EXPECT_GE(mistake.hint.size(), 60u) << mistake.name << ": too short to act on";
+    if (mistake.same.empty()) continue;
+    // One diagnosis for both: the one that is named speaks for itself.
+    const grading::Mistake* other = all_.mistake(mistake.same);
+    ASSERT_TRUE(other) << mistake.name;
+    EXPECT_EQ(other->same, "") << mistake.name;
+    EXPECT_EQ(other->fails, mistake.fails) << mistake.name;
+  }
+}
+
+TEST_P(FloorCatalogue, EveryPatchApplies) {
+  for (const grading::Mistake& mistake : all_.mistakes) expectToApply({mistake.patch});
+  for (const grading::Variant& variant : all_.variants) expectToApply({variant.patch});
+}
+
+TEST_P(FloorCatalogue, EveryPairAppliesInARow) {
+  for (const auto& [first, second] : all_.pairs)
+    expectToApply({all_.mistake(first)->patch, all_.mistake(second)->patch});
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, FloorCatalogue, testing::Values("mirror", "shadow", "bloom"),
+                         [](const auto& info) { return std::string(info.param); });
+
+} // namespace
