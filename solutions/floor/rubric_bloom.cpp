@@ -271,21 +271,27 @@ GGRADE_ITEM("bloom.keep_following", [](const View& view) {
   return follows(view, glow, "bloom");
 });
 
-GGRADE_ITEM("bloom.keep_together", [](const View& view) {
-  return worstFrame(view, [&](std::size_t i) -> Verdict {
-    double least = 2;
-    std::string where;
-    const auto against = [&](const Image& reference) {
-      const Comparison comparison = compare(view.frames.at(i), reference);
-      if (comparison.wrongShare < least)
-        least = comparison.wrongShare, where = densestAt(comparison.densest);
-    };
-    against(view.scene.reference.at(i));
-    for (const auto& [name, images] : view.scene.probes) against(images.at(i));
-    return {unharmed(least),
-            fmt::format("{:.1f}% of the pixels differ from every combination of effects{}",
-                        100 * least, where)};
-  });
+/// One combination of effects must explain all frames: what is right in the first and lacks its
+/// shadows in the next has left state behind.
+GGRADE_ITEM("bloom.keep_together", [](const View& view) -> Verdict {
+  double least = 2;
+  std::string where;
+  const auto against = [&](const rubric::Frames& wanted) {
+    double worst = -1;
+    std::string at;
+    for (std::size_t i = 0; i < view.frames.size(); ++i) {
+      const Comparison comparison = compare(view.frames.at(i), wanted.at(i));
+      if (comparison.wrongShare <= worst) continue;
+      worst = comparison.wrongShare;
+      at = fmt::format("frame {}: {:.1f}% of the pixels differ from every combination of effects{}",
+                       i + 1, 100 * worst, densestAt(comparison.densest));
+    }
+    if (worst < least) least = worst, where = at;
+  };
+  against(view.scene.reference);
+  for (const auto& [name, images] : view.scene.probes)
+    if (least > 0) against(images);
+  return {unharmed(least), where};
 });
 
 } // namespace
