@@ -14,7 +14,7 @@ namespace {
 /// A copy of what a full-screen pass drew into a texture.
 struct ScreenPass {
   int width, height;
-  std::uint32_t texture, level;
+  std::uint32_t texture, level, format;
   const trace::CopyRecord* copy;
 };
 
@@ -26,8 +26,8 @@ std::vector<ScreenPass> screenPasses(const trace::Trace& trace) {
     for (std::uint32_t a = 0; a < trace::kColors; ++a) {
       if (pass.images[a].kind != std::uint32_t(trace::ImageKind::texture)) continue;
       if (const trace::CopyRecord* copy = trace.copyOf(trace.indexOf(pass), a))
-        all.push_back(
-            {int(copy->width), int(copy->height), pass.images[a].name, pass.images[a].level, copy});
+        all.push_back({int(copy->width), int(copy->height), pass.images[a].name,
+                       pass.images[a].level, pass.images[a].format, copy});
     }
   }
   return all;
@@ -112,7 +112,7 @@ Pyramid ownPyramid(const trace::Trace& trace) {
     const Image image = firstChannels(trace.image(*pass.copy), 3);
     if (found == known.end()) {
       known.push_back(key);
-      pyramid.levels.push_back({pass.width, pass.height, image, image, false});
+      pyramid.levels.push_back({pass.width, pass.height, pass.format, image, image, false});
     } else {
       Level& level = pyramid.levels[std::size_t(found - known.begin())];
       level.up = image;
@@ -127,13 +127,13 @@ Pyramid pyramidLike(const Pyramid& reference, const trace::Trace& trace) {
   findScene(trace, pyramid);
   const std::vector<ScreenPass> passes = screenPasses(trace);
   for (const Level& wanted : reference.levels) {
-    Level level{wanted.width, wanted.height, {}, {}, false};
+    Level level{wanted.width, wanted.height, 0, {}, {}, false};
     for (const ScreenPass& pass : passes) {
       if (std::abs(pass.width - wanted.width) > 1 || std::abs(pass.height - wanted.height) > 1)
         continue;
       const Image image = firstChannels(trace.image(*pass.copy), 3);
       if (level.down.empty())
-        level.down = image;
+        level.down = image, level.format = pass.format;
       else
         level.summed = true;
       level.up = image;

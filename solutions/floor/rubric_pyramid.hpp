@@ -11,6 +11,7 @@ namespace floor_rubric {
 /// One level: what was drawn at its size first (on the way down) and last (on the way up).
 struct Level {
   int width = 0, height = 0;
+  std::uint32_t format = 0; ///< internal, of what was drawn first; 0 if nothing was
   Image down, up;      ///< RGB; empty if nothing was drawn at this size
   bool summed = false; ///< drawn more than once
 };
