@@ -99,7 +99,7 @@ TEST_F(Calibrate, ADisputedSubmissionBecomesAnAnonymousMistake) {
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("mistakes/mirror_disputed_1.patch"), HasSubstr("may name a person")));
   const std::string patch = read(files_.path() / "mistakes/mirror_disputed_1.patch");
-  EXPECT_THAT(patch, AllOf(HasSubstr("Fails: mirror.shading"), HasSubstr("\n+"),
+  EXPECT_THAT(patch, AllOf(HasSubstr("Fails: mirror.texture"), HasSubstr("\n+"),
                            Not(HasSubstr(submission.path().string()))));
 }
 
