@@ -13,6 +13,9 @@ namespace {
 constexpr int kStill = 2;
 /// The reference must change by so much for a scene to show anything.
 constexpr double kVisibleChange = 0.2;
+/// Shares of the reference's change: what edges and noise make, and what is a change like any. A
+/// right bloom of another filter, with wider halos, changes by 0.7 of it.
+constexpr double kNoise = 0.2, kAChange = 0.5;
 /// A submission has an effect if it covers so much of what it does in the reference.
 constexpr double kThere = 0.2;
 
@@ -35,8 +38,7 @@ Verdict responds(const Pair& student, const Pair& reference, const std::string& 
   if (expected < kVisibleChange) return {1, "the change is too small to see"};
   const double found = change(student.before, student.after);
   const double share = found / expected;
-  // A quarter of the change comes of edges and noise; three quarters are a change like any.
-  return {std::clamp((share - 0.25) / 0.5, 0.0, 1.0),
+  return {std::clamp((share - kNoise) / (kAChange - kNoise), 0.0, 1.0),
           fmt::format("{}{:.0f}% of the {} changed place, {:.0f}% in the reference", when,
                       100 * found, what, 100 * expected)};
 }

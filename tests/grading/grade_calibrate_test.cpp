@@ -86,7 +86,7 @@ TEST_F(Calibrate, AMistakeThatIsFiledAsARightAnswerFailsAndSoDoesAPatchThatNoLon
   EXPECT_THAT(ended.errors,
               AllOf(HasSubstr("right and wrong answers don't separate:"),
                     HasSubstr("mirror_light: on seed 1301 it scores "),
-                    HasSubstr("a right answer has at least 98; mirror.shading loses "),
+                    HasSubstr("a right answer has at least 98; mirror.texture loses "),
                     HasSubstr("mirror_gone.patch no longer applies")));
   EXPECT_THAT(ended.out, HasSubstr("Right answers taken for wrong: 1 of 1."));
 }

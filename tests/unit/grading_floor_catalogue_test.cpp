@@ -64,7 +64,7 @@ TEST_P(FloorCatalogue, EveryPairAppliesInARow) {
     expectToApply({all_.mistake(first)->patch, all_.mistake(second)->patch});
 }
 
-INSTANTIATE_TEST_SUITE_P(Parts, FloorCatalogue, testing::Values("mirror", "shadow"),
+INSTANTIATE_TEST_SUITE_P(Parts, FloorCatalogue, testing::Values("mirror", "shadow", "bloom"),
                          [](const auto& info) { return std::string(info.param); });
 
 } // namespace
