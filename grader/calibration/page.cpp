@@ -89,10 +89,10 @@ Data partOf(const PagePart& part) {
   data["partVerdict"] = Data(broken == 0 ? std::string("all of it holds")
                                          : fmt::format("{} of it doesn't hold", broken));
   data["summary"] = Data(fmt::format(
-      "{} programs and picture sets, graded with {} seed{} each: {} gradings. {} of the programs "
-      "have two mistakes at once.",
+      "{} programs and sets of pictures, graded with {} seed{} each: {} gradings.{}",
       verdicts.rows.size(), verdicts.seeds.size(), verdicts.seeds.size() == 1 ? "" : "s", gradings,
-      verdicts.pairs));
+      verdicts.pairs ? fmt::format(" {} of the programs have two mistakes at once.", verdicts.pairs)
+                     : std::string()));
   data["hasBoth"] =
       Data(std::isfinite(verdicts.lowestRight) && std::isfinite(verdicts.highestWrong));
   data["lowestRight"] = Data(number(verdicts.lowestRight, 1));

@@ -13,6 +13,9 @@ using testing::Not;
 
 namespace {
 
+/// Pictures of every scene may have to be drawn first, on a machine with much else to do.
+constexpr double kSeconds = 250;
+
 /// A folder with mistakes/ and variants/.
 class Calibrate : public testing::Test {
 protected:
@@ -44,7 +47,7 @@ protected:
     Arguments arguments = {"calibrate",   "mirror",  "--seeds", "1",
                            "--catalogue", catalogue, "--out",   files_.path() / "out"};
     arguments.insert(arguments.end(), more.begin(), more.end());
-    return runTool(arguments);
+    return runTool(arguments, {}, kSeconds);
   }
 
   TemporaryFolder files_;
@@ -77,29 +80,30 @@ TEST_F(Calibrate, RightAndWrongAnswersSeparate) {
   const Ended again = calibrate(files_.path(), {"--only", "comment", "light", "noise"});
   EXPECT_EQ(again.exitCode, 0) << again.errors;
   EXPECT_THAT(again.out, HasSubstr("Wrong ones taken for right: 0 of 2"));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
 TEST_F(Calibrate, AMistakeThatIsFiledAsARightAnswerFailsAndSoDoesAPatchThatNoLongerApplies) {
   const Ended ended = calibrate(files_.path() / "doctored", {"--only", "variant"});
   EXPECT_EQ(ended.exitCode, 1);
-  EXPECT_THAT(ended.errors,
-              AllOf(HasSubstr("right and wrong answers don't separate:"),
-                    HasSubstr("mirror_light: on seed 1301 it scores "),
-                    HasSubstr("a right answer has at least 98; mirror.texture loses "),
-                    HasSubstr("mirror_gone.patch no longer applies")));
+  EXPECT_THAT(ended.errors, AllOf(HasSubstr("right and wrong answers don't separate:"),
+                                  HasSubstr("mirror_light: on seed 1301 it scores "),
+                                  HasSubstr("a right answer has at least 98; "),
+                                  HasSubstr("; mirror.shading loses "),
+                                  HasSubstr("mirror_gone.patch no longer applies")));
   EXPECT_THAT(ended.out, HasSubstr("Right answers taken for wrong: 1 of 1."));
 }
 
 TEST_F(Calibrate, ADisputedSubmissionBecomesAnAnonymousMistake) {
-  const Submission submission = Submission::example("light_not_mirrored");
+  const Submission submission = Submission::example("no_depth");
   const Ended ended = runTool({"calibrate", "mirror", "--catalogue", files_.path(), "--adopt",
-                               submission.path(), "--as", "mistake"});
+                               submission.path(), "--as", "mistake"},
+                              {}, kSeconds);
   ASSERT_EQ(ended.exitCode, 0) << ended.errors;
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("mistakes/mirror_disputed_1.patch"), HasSubstr("may name a person")));
   const std::string patch = read(files_.path() / "mistakes/mirror_disputed_1.patch");
-  EXPECT_THAT(patch, AllOf(HasSubstr("Fails: mirror.texture"), HasSubstr("\n+"),
+  EXPECT_THAT(patch, AllOf(HasSubstr("Fails: mirror.hidden"), HasSubstr("\n+"),
                            Not(HasSubstr(submission.path().string()))));
 }
 

@@ -1,8 +1,10 @@
 // What the gradings of known answers say of the grader, on scores made up for it.
 
 #include "calibration/adopt.hpp"
+#include "calibration/page.hpp"
 #include "calibration/pictures.hpp"
 #include "calibration/score_file.hpp"
+#include "calibration/tolerances.hpp"
 #include "calibration/verdicts.hpp"
 #include "grading/patched.hpp"
 
@@ -206,6 +208,64 @@ TEST(Verdicts, TheTableAndTheJsonSayTheSame) {
   EXPECT_EQ(json.at("programs").at(1).at("item_loss"), 0.4);
   EXPECT_EQ(json.at("programs").at(1).at("scores").at(0).at("score"), 80);
   EXPECT_EQ(json.at("confusion").at("wrong_accepted"), 1);
+}
+
+TEST(CrossValidation, ChoosesOnOneHalfAndCountsErrorsOnTheOther) {
+  // Two names in each half.
+  std::vector<std::string> halves[2];
+  for (char c = 'a'; halves[0].size() < 2 || halves[1].size() < 2; ++c) {
+    const std::string name = std::string("p_") + c;
+    if (auto& half = halves[halfOf(name)]; half.size() < 2) half.push_back(name);
+  }
+  const auto right = [](const std::string& name, double lost) {
+    return measured(Kind::variant, name, {score(1, {{"p.shape", lost}})});
+  };
+  const auto trial = [&](Setting setting, double first, double second) {
+    return Trial{setting,
+                 {right(halves[0][0], first), right(halves[0][1], 0), right(halves[1][0], second),
+                  right(halves[1][1], 0)}};
+  };
+  const Setting strict{0.5, 0}, wide{7.5, 2};
+  const CrossValidation result = crossValidate(
+      "p", kItems, {trial(strict, 0.5, 4), trial(publishedSetting(), 1, 1.5), trial(wide, 5, 0.2)});
+  EXPECT_EQ(publishedSetting(), (Setting{3.5, 1}));
+  EXPECT_EQ(result.programs[0], 2u);
+  EXPECT_EQ(result.programs[1], 2u);
+  EXPECT_EQ(result.chosen[0], strict); // no error there, and the widest margin
+  EXPECT_EQ(result.errorsOnOther[0], 1u);
+  EXPECT_EQ(result.chosen[1], wide);
+  EXPECT_EQ(result.errorsOnOther[1], 1u);
+  EXPECT_TRUE(result.publishedHolds);
+  EXPECT_EQ(toJson(result).at("trials").at(0).at("errors"), nlohmann::json({0, 1}));
+  const Section section = sectionOf(result);
+  EXPECT_THAT(section.text, HasSubstr("they get 1 of the second half wrong"));
+  EXPECT_THAT(section.text, HasSubstr("The published ones get 0 of 4 wrong"));
+  EXPECT_EQ(section.rows.size(), 3u);
+  EXPECT_EQ(section.rows[1][1], "0 + 0 (published)");
+}
+
+TEST(CrossValidation, TriesThePublishedToleranceAmongOthers) {
+  const std::vector<Setting> all = settings();
+  EXPECT_EQ(all.size(), 18u);
+  EXPECT_EQ(std::count(all.begin(), all.end(), publishedSetting()), 1);
+}
+
+TEST(CalibrationPage, ShowsEveryProgramAndEscapesWhatPatchesSay) {
+  PagePart part;
+  part.title = "Part <one>";
+  part.measured = {measured(Kind::reference, "reference", {score(1, {})}),
+                   measured(Kind::mistake, "p_m", {score(1, {{"p.shape", 20}})}, "p.shape")};
+  part.measured[1].program.title = "Uses <b> & co";
+  part.verdicts = judge("p", kItems, part.measured);
+  EXPECT_THAT(calibrationPage({part}), Not(HasSubstr("Diagnosis")));
+  part.sections.push_back({"Diagnosis", "Of 10, 9.", {"a", "b"}, {{"1", "<2>"}}});
+  const std::string page = calibrationPage({part});
+  EXPECT_THAT(page, AllOf(HasSubstr("1 of 2 gradings were wrong; 1 thing below must hold and does "
+                                    "not."),
+                          HasSubstr("Part &lt;one&gt;"), HasSubstr("Uses &lt;b&gt; &amp; co"),
+                          HasSubstr("<title>p_m, seed 1: 80</title>"), HasSubstr("none fails"),
+                          HasSubstr("<h3>Diagnosis</h3>"), HasSubstr("<td>&lt;2&gt;</td>"),
+                          Not(HasSubstr("{{"))));
 }
 
 TEST(ScoreFile, KeepsAScoreAndKnowsAHalfWrittenOne) {
