@@ -115,35 +115,37 @@ std::vector<report::Item> unearned(const Target& target, const std::string& why)
 }
 
 /// Renders every scene of `references` with a built program into `studentFolder(i)`: frames and
-/// passes.
+/// passes. The public scene goes first and leaves its shader cache in `shaderFolder` for the hidden
+/// ones: so no run can tell another what it saw of a hidden scene.
 template <class StudentFolder>
 std::vector<Rendering> renderScenes(const Target& target, const Built& built, const ScenePlan& plan,
                                     const References& references,
-                                    const StudentFolder& studentFolder, unsigned threads,
+                                    const StudentFolder& studentFolder,
+                                    const fs::path& shaderFolder, unsigned threads,
                                     const std::function<void(std::size_t done)>& progress) {
   std::vector<Rendering> renderings(references.scenes.size());
   std::atomic<std::size_t> done{1};
-  std::atomic<bool> hangs{false};
-  inParallel(renderings.size(), threads, [&](std::size_t i) {
-    if (hangs) return;
-    renderings[i] =
-        renderScene(target.assignment.id, built.program, plan.scenes[i].scene, plan.scenes[i].times,
-                    references.shaders, Isolation::bwrap, gradingRequest());
+  ShaderCache shaders = references.shaders;
+  const auto render = [&](std::size_t i) {
+    renderings[i] = renderScene(target.assignment.id, built.program, plan.scenes[i].scene,
+                                plan.scenes[i].times, shaders, Isolation::bwrap, gradingRequest());
     // Copies of a whole frame's passes are too much to keep in memory for every scene.
     trace::save(renderings[i].capture.trace, studentFolder(i));
     renderings[i].capture.trace = {};
-    const Happened& happened = renderings[i].happened;
-    if (i == 0 && !happened.ok() && happened.seconds >= kRunSeconds) hangs = true;
     progress(++done);
-  });
-  // Whether another scene had begun by then is chance: it must not count.
-  if (hangs)
-    for (std::size_t i = 1; i < renderings.size(); ++i) {
-      renderings[i] = {
-          {renderings[0].happened.outcome, "not run: the program hung in the first scene", {}, 0},
-          {}};
-      fs::remove_all(studentFolder(i));
-    }
+  };
+  std::size_t first = 0;
+  if (!references.scenes.empty() && references.scenes[0].isPublic) {
+    shaders.keep = shaderFolder;
+    render(first++);
+    shaders = {shaderFolder, {}};
+  }
+  if (first == 1 && !renderings[0].happened.ok() && renderings[0].happened.seconds >= kRunSeconds)
+    for (std::size_t i = 1; i < renderings.size(); ++i)
+      renderings[i].happened = {
+          renderings[0].happened.outcome, "not run: the program hung in the first scene", {}, 0};
+  else
+    inParallel(renderings.size() - first, threads, [&](std::size_t i) { render(first + i); });
   for (std::size_t i = 0; i < renderings.size(); ++i)
     rubric::writeFrames(studentFolder(i), rawFrames(renderings[i].capture));
   return renderings;
@@ -243,7 +245,8 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   {
     const Stopwatch time(result, "render");
     progress("rendering", 1, steps);
-    renderings = renderScenes(target, built, plan, references, studentFolder, options.threads,
+    renderings = renderScenes(target, built, plan, references, studentFolder,
+                              work.makeVisible("shaders"), options.threads,
                               [&](std::size_t done) { progress("rendering", done, steps); });
   }
   nameOutcome(renderings, folders, result);

@@ -131,6 +131,35 @@ Rendering runCaptured(const sandbox::Command& command, Isolation isolation,
   return {std::move(happened), std::move(capture)};
 }
 
+/// The files of a shader cache, to be collected as 0, 1, ... in `into`: Mesa's archive of shaders
+/// and its index (MESA_DISK_CACHE_SINGLE_FILE).
+std::vector<sandbox::Collect> cacheFiles(const fs::path& folder, const fs::path& inside,
+                                         const fs::path& into) {
+  std::vector<sandbox::Collect> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.path().extension() == ".foz")
+      files.push_back({inside / entry.path().lexically_relative(folder),
+                       into / std::to_string(files.size())});
+  return files;
+}
+
+/// What the run left may be anything: no more than this of it goes into the next one's.
+constexpr std::uintmax_t kCacheBytes = 8 << 20;
+
+void keepCache(const ShaderCache& shaders, const std::vector<sandbox::Collect>& collected,
+               const fs::path& inside) {
+  fs::copy(shaders.folder, shaders.keep, fs::copy_options::recursive);
+  std::uintmax_t bytes = 0;
+  for (const sandbox::Collect& file : collected) {
+    if (!fs::exists(file.into)) return;
+    bytes += fs::file_size(file.into);
+  }
+  if (bytes > kCacheBytes) return;
+  for (const sandbox::Collect& file : collected)
+    fs::copy_file(file.into, shaders.keep / file.inside.lexically_relative(inside),
+                  fs::copy_options::overwrite_existing);
+}
+
 } // namespace
 
 Happened buildProgram(const std::string& id, const fs::path& folder, Isolation isolation) {
@@ -162,8 +191,7 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
       {"TMPDIR", isolation == Isolation::bwrap ? "/scratch" : fs::temp_directory_path().string()}};
   if (isolation == Isolation::bwrap) {
     command.mounts = {{toolchain::kKitFolder, "/kit"}, {folder, "/submission"}};
-    command.collect = scratch;
-    command.collectInto = folder / id;
+    command.collect = {{scratch, folder / id}};
   }
   command.workingDirectory = at.work;
   command.limits.cpuSeconds = kBuildSeconds;
@@ -231,18 +259,25 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   if (shaders.folder.empty())
     command.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
   else
-    command.environment.emplace_back("MESA_SHADER_CACHE_DIR", at.shaders.string());
+    command.environment.insert(command.environment.end(),
+                               {{"MESA_SHADER_CACHE_DIR", at.shaders.string()},
+                                {"MESA_DISK_CACHE_SINGLE_FILE", "true"}});
   if (isolation == Isolation::bwrap) {
     command.mounts = {
         {folder, "/submission"}, {toolchain::kCaptureFolder, "/capture"}, {sceneFolder, "/scene"}};
-    if (!shaders.folder.empty()) command.privateCopies = {{shaders.folder, "/shaders"}};
+    if (!shaders.folder.empty()) command.privateCopies = {{shaders.folder, at.shaders}};
   }
   command.workingDirectory = isolation == Isolation::bwrap ? fs::path("/scratch") : sceneFolder;
   command.inheritedDescriptor = channel.descriptor();
   command.limits.cpuSeconds = kRunSeconds;
   command.limits.wallSeconds = kWallFactor * kRunSeconds;
 
-  return runCaptured(command, isolation, channel, times.size());
+  if (shaders.keep.empty()) return runCaptured(command, isolation, channel, times.size());
+
+  command.collect = cacheFiles(shaders.folder, at.shaders, work.path());
+  Rendering rendering = runCaptured(command, isolation, channel, times.size());
+  keepCache(shaders, command.collect, at.shaders);
+  return rendering;
 }
 
 Rendering renderProgram(const std::vector<std::string>& arguments, const std::vector<double>& times,

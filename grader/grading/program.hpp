@@ -37,9 +37,12 @@ struct Rendering {
   channel::Capture capture; ///< what came, also when the run failed later
 };
 
-/// Where a run's shader cache comes from: a copy of `folder`, or none at all.
+/// A run's shader cache. Compiling shaders takes most of a run's time.
 struct ShaderCache {
-  std::filesystem::path folder;
+  std::filesystem::path folder; ///< the run gets a copy of it; empty: no cache at all
+  /// Where the cache stands after a run in the sandbox, for the program's next ones; the copy as it
+  /// was if the run ended badly or left too much. Empty: it is forgotten.
+  std::filesystem::path keep;
 };
 
 /// What is recorded of the passes of programs that are graded, and of those that they are compared

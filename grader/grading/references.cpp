@@ -221,7 +221,7 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   }
 
   // The cache holds hidden scenes and the reference: nobody else's business.
-  all.shaders.folder = cacheFolder() / "shaders" / stub.key;
+  all.shaders.folder = cacheFolder() / "shader-archives" / stub.key;
   if (jobs.empty() && fs::exists(all.shaders.folder)) return all;
   progress("building the reference and the stub", 0, jobs.size() + 1);
   build(assignment, reference);
@@ -229,7 +229,7 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   if (!fs::exists(all.shaders.folder)) {
     // Warmed by the stub, never by the reference: every submission can read its copy. Only a run
     // that can write to the host's folder warms it: trusted, outside the sandbox.
-    TemporaryFolder work(cacheFolder() / "shaders");
+    TemporaryFolder work(cacheFolder() / "shader-archives");
     const fs::path warm = work.makeVisible("shaders");
     for (const SceneCase& scene : plan.scenes)
       requireGood(renderScene(assignment.id, stub.folder, scene.scene, {0}, {warm}, Isolation::none)

@@ -36,8 +36,8 @@ struct HelperPlan {
   std::int64_t report = -1;        ///< HelperReports go here
   std::int64_t lifeline = -1;  ///< its end of file means that the supervisor wants or met the end
   std::int64_t inherited = -1; ///< the one descriptor beyond 0, 1, 2 that the command keeps
-  std::string collect;         ///< file to hand back after a successful exit
-  std::int64_t collectInto = -1;
+  std::vector<std::string> collect; ///< files to hand back after a successful exit
+  std::vector<std::int64_t> collectInto;
   std::uint64_t collectLimit = 0; ///< bytes
   std::uint64_t cpuSeconds = 0;
   std::uint64_t addressSpaceBytes = 0;
@@ -53,7 +53,7 @@ struct HelperReport {
     unrunnable,  ///< the file is there, but the system cannot execute it; `text` says why
     exited,      ///< value is the exit code
     signalled,   ///< value is the signal
-    collected,   ///< value is 1 for an executable file
+    collected,   ///< all of them; bit n of value is 1 if file n is executable
     notCollected ///< `text` says why
   };
   Kind kind = Kind::failed;

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <deque>
 #include <fcntl.h>
 #include <spawn.h>
 #include <stdexcept>
@@ -69,7 +70,6 @@ Descriptor makeFile(const std::string& bytes) {
 class CollectedFile {
 public:
   explicit CollectedFile(const fs::path& target) : target_(target) {
-    if (target_.empty()) return;
     name_ = target_.string() + ".XXXXXX";
     file_ = Descriptor(mkostemp(name_.data(), O_CLOEXEC));
     if (!file_)
@@ -99,8 +99,7 @@ void check(const Command& command, Isolation isolation) {
   const auto refuse = [](const std::string& why) { throw std::runtime_error(why); };
   if (command.arguments.empty() || command.arguments[0].substr(0, 1) != "/")
     refuse("the command must be an absolute path");
-  if (command.collect.empty() != command.collectInto.empty())
-    refuse("collect and collectInto go together");
+  if (command.collect.size() > 8) refuse("at most 8 files can be collected");
   if (command.inheritedDescriptor >= 0 && command.inheritedDescriptor < 3)
     refuse("descriptors 0 to 2 cannot be inherited");
   if (command.inheritedDescriptor >= 3 && fcntl(command.inheritedDescriptor, F_GETFD) < 0)
@@ -123,7 +122,7 @@ HelperPlan planFor(const Command& command, Isolation isolation) {
     plan.environment.push_back(name + "=" + value);
   plan.workingDirectory = command.workingDirectory;
   plan.inherited = command.inheritedDescriptor;
-  plan.collect = command.collect;
+  for (const Collect& file : command.collect) plan.collect.push_back(file.inside);
   plan.collectLimit = command.limits.fileBytes;
   plan.cpuSeconds = static_cast<std::uint64_t>(std::ceil(command.limits.cpuSeconds));
   plan.addressSpaceBytes = command.limits.addressSpaceBytes;
@@ -192,10 +191,11 @@ Result runOrThrow(const Command& command, Isolation isolation, const std::atomic
 
   Pipe out = makePipe(), err = makePipe(), reports = makePipe(), info = makePipe();
   Pipe lifeline = makePipe(false);
-  CollectedFile collected(command.collectInto);
+  std::deque<CollectedFile> collected;
+  for (const Collect& file : command.collect) collected.emplace_back(file.into);
   plan.report = reports.write.get();
   plan.lifeline = lifeline.read.get();
-  plan.collectInto = collected.get();
+  for (const CollectedFile& file : collected) plan.collectInto.push_back(file.get());
 
   View view;
   Descriptor filter, arguments;
@@ -215,8 +215,9 @@ Result runOrThrow(const Command& command, Isolation isolation, const std::atomic
   Descriptor planFile = makeFile("");
   plan.kept = {planFile.get()};
   for (const int number : {reports.write.get(), lifeline.read.get(), info.write.get(), filter.get(),
-                           arguments.get(), collected.get(), command.inheritedDescriptor})
+                           arguments.get(), command.inheritedDescriptor})
     if (number >= 0) plan.kept.push_back(number);
+  plan.kept.insert(plan.kept.end(), plan.collectInto.begin(), plan.collectInto.end());
   const std::string bytes = encode(plan);
   if (pwrite(planFile.get(), bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size()))
     fail("cannot write the plan");
@@ -230,7 +231,8 @@ Result runOrThrow(const Command& command, Isolation isolation, const std::atomic
   Supervisor supervisor(command.limits, std::move(connections), pid, inNamespace,
                         std::move(view.writableFolders));
   Result result = supervisor.watch(cancel);
-  if (result.collected) collected.keep(supervisor.collectedIsExecutable());
+  for (std::size_t n = 0; result.collected && n < collected.size(); ++n)
+    collected[n].keep(supervisor.wasExecutable(n));
   return result;
 }
 

@@ -30,6 +30,13 @@ struct Mount {
   std::filesystem::path inside; ///< absolute; not one of the sandbox's own folders
 };
 
+/// A regular file inside, reached through no symbolic link, that is written to `into` on the host
+/// (mode 0755 if executable, else 0644), if it has at most `limits.fileBytes`.
+struct Collect {
+  std::filesystem::path inside;
+  std::filesystem::path into; ///< replaced in one step; untouched when nothing is collected
+};
+
 /// All limits hold for the command and everything that it starts, together, unless a comment says
 /// otherwise. Memory and processor time are measured every 20 ms (memory every 5 ms above half of
 /// its limit), so a run can overshoot by what it gets done in that time.
@@ -62,11 +69,8 @@ struct Command {
   /// Kept open, same number (3 or more), in the command: the capture channel. What is written
   /// through it is not counted, so seal the file's size (F_SEAL_GROW, F_SEAL_SHRINK, F_SEAL_SEAL).
   int inheritedDescriptor = -1;
-  /// After exit code 0 this regular file inside, reached through no symbolic link, is written to
-  /// `collectInto` on the host (mode 0755 if executable, else 0644), if it has at most
-  /// `limits.fileBytes`. Empty: nothing is collected.
-  std::filesystem::path collect;
-  std::filesystem::path collectInto; ///< replaced in one step; untouched when nothing is collected
+  /// After exit code 0 these are handed out, all of them or none; at most 8.
+  std::vector<Collect> collect;
   Limits limits;
 };
 
@@ -91,7 +95,7 @@ struct Result {
   std::string standardOutput; ///< raw bytes, capped
   std::string standardError;  ///< raw bytes, capped
   bool outputTruncated = false;
-  bool collected = false;     ///< `collectInto` was written
+  bool collected = false;     ///< all of `collect` was written
   std::string collectProblem; ///< why it was not, after a successful exit
   std::string detail;         ///< one sentence with the limit and the value that met it
 };

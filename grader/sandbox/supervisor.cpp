@@ -252,7 +252,7 @@ void Supervisor::conclude() {
       break;
     case Kind::collected:
       result_.collected = true;
-      collectedIsExecutable_ = report.value == 1;
+      executables_ = static_cast<std::uint32_t>(report.value);
       break;
     case Kind::notCollected:
       result_.collectProblem = report.text;

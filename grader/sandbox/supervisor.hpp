@@ -28,8 +28,8 @@ public:
 
   /// Returns when the helper and everything that it started is gone.
   Result watch(const std::atomic<bool>* cancel);
-  /// After `watch`: whether the collected file was executable inside.
-  bool collectedIsExecutable() const { return collectedIsExecutable_; }
+  /// After `watch`: whether collected file `n` was executable inside.
+  bool wasExecutable(std::size_t n) const { return executables_ >> n & 1; }
 
 private:
   using Clock = std::chrono::steady_clock;
@@ -65,7 +65,7 @@ private:
   bool stopping_ = false;
   int helperStatus_ = 0;
   double helperCpuSeconds_ = 0;
-  bool collectedIsExecutable_ = false;
+  std::uint32_t executables_ = 0;
   Result result_;
 };
 

@@ -82,11 +82,11 @@ TEST_P(SandboxEnds, SetupFailedSaysWhy) {
   command.mounts = {{folder(), "/a/../b"}};
   EXPECT_EQ(detail(command), "mount point /a/../b is not a plain absolute path");
   command.mounts = {};
-  command.collect = "/scratch/product";
-  EXPECT_EQ(detail(command), "collect and collectInto go together");
-  command.collectInto = folder() + "/no/folder";
+  command.collect.assign(9, {"/scratch/product", folder() + "/product"});
+  EXPECT_EQ(detail(command), "at most 8 files can be collected");
+  command.collect = {{"/scratch/product", folder() + "/no/folder"}};
   EXPECT_EQ(detail(command), "cannot write " + folder() + "/no/folder: No such file or directory");
-  command.collect = command.collectInto = "";
+  command.collect = {};
   command.inheritedDescriptor = 1;
   EXPECT_EQ(detail(command), "descriptors 0 to 2 cannot be inherited");
   command.inheritedDescriptor = 4000;

@@ -132,8 +132,7 @@ TEST_P(SandboxFiles, InheritsTheOneDescriptorThatIsGiven) {
 TEST_P(SandboxFiles, CollectsARegularFile) {
   if (delegated()) return;
   Command command = attack("collect", {"regular"});
-  command.collect = "/scratch/product";
-  command.collectInto = folder() + "/product";
+  command.collect = {{"/scratch/product", folder() + "/product"}};
   const Result result = run(command);
   EXPECT_TRUE(result.collected) << describe(result) << result.collectProblem;
   std::string content;
@@ -141,6 +140,25 @@ TEST_P(SandboxFiles, CollectsARegularFile) {
   EXPECT_EQ(content, "product");
   // Executable, but never setuid.
   EXPECT_EQ(fs::status(folder() + "/product").permissions(), fs::perms(0755));
+}
+
+TEST_P(SandboxFiles, CollectsAllFilesOrNone) {
+  if (delegated()) return;
+  Command command = attack("collect", {"regular"});
+  command.collect = {{"/scratch/product", folder() + "/first"},
+                     {"/attack/data/plain", folder() + "/second"}};
+  std::ofstream(folder() + "/data/plain") << "plain";
+  ASSERT_TRUE(run(command).collected);
+  EXPECT_EQ(fs::file_size(folder() + "/first"), 7u);
+  EXPECT_EQ(fs::file_size(folder() + "/second"), 5u);
+  EXPECT_EQ(fs::status(folder() + "/first").permissions(), fs::perms(0755));
+  EXPECT_EQ(fs::status(folder() + "/second").permissions(), fs::perms(0644));
+  command.collect = {{"/scratch/product", folder() + "/third"},
+                     {"/scratch/missing", folder() + "/fourth"}};
+  const Result result = run(command);
+  EXPECT_FALSE(result.collected);
+  EXPECT_EQ(result.collectProblem, "/scratch/missing cannot be opened: No such file or directory");
+  EXPECT_FALSE(fs::exists(folder() + "/third"));
 }
 
 TEST_P(SandboxFiles, CollectsNothingElse) {
@@ -161,8 +179,7 @@ TEST_P(SandboxFiles, CollectsNothingElse) {
   std::ofstream(folder() + "/data/large") << std::string(3 << 20, 'l');
   for (const auto& [kind, path, problem] : cases) {
     Command command = attack("collect", {kind});
-    command.collect = path;
-    command.collectInto = folder() + "/product";
+    command.collect = {{path, folder() + "/product"}};
     command.limits.fileBytes = 2 << 20;
     const Result result = run(command);
     EXPECT_FALSE(result.collected) << kind;

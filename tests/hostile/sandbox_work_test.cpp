@@ -20,8 +20,7 @@ protected:
     command.arguments.insert(command.arguments.end(), more.begin(), more.end());
     command.environment = {{"PATH", "/usr/bin"}};
     command.mounts = {{programs(), "/source"}};
-    command.collect = "/scratch/program";
-    command.collectInto = folder() + "/program";
+    command.collect = {{"/scratch/program", folder() + "/program"}};
     command.limits.wallSeconds = 60;
     return run(command);
   }

@@ -32,7 +32,7 @@ TEST(HelperPlan, SurvivesTheTrip) {
   plan.kept = {17, 3};
   plan.arguments = {"/program", "", "two\nlines"};
   plan.environment = {"A=b"};
-  plan.collect = "/scratch/product";
+  plan.collect = {"/scratch/product", "/scratch/other"};
   plan.processes = 65;
   const HelperPlan copy = decode(encode(plan));
   EXPECT_EQ(encode(copy), encode(plan));
@@ -40,7 +40,7 @@ TEST(HelperPlan, SurvivesTheTrip) {
   EXPECT_THAT(copy.staged, ElementsAre("/a", "", "/c d"));
   EXPECT_THAT(copy.kept, ElementsAre(17, 3));
   EXPECT_THAT(copy.arguments, ElementsAre("/program", "", "two\nlines"));
-  EXPECT_EQ(copy.collect, "/scratch/product");
+  EXPECT_THAT(copy.collect, ElementsAre("/scratch/product", "/scratch/other"));
   EXPECT_EQ(copy.inherited, -1);
   EXPECT_EQ(copy.processes, 65u);
 }

@@ -61,10 +61,10 @@ std::string copyOut(int from, int into, std::uint64_t limit) {
 } // namespace
 
 void collect(const HelperPlan& plan) {
-  // Everything else inside is dead by now: the file cannot change under us.
-  bool executable = false;
-  const auto problem = [&]() -> std::string {
-    const int file = openPlain(plan.collect);
+  // Everything else inside is dead by now: no file can change under us.
+  std::int32_t executable = 0;
+  const auto copyFile = [&](std::size_t n) -> std::string {
+    const int file = openPlain(plan.collect[n]);
     if (file < 0 && errno == ELOOP) return "is reached through a symbolic link";
     if (file < 0) return std::string("cannot be opened: ") + std::strerror(errno);
     struct stat status {};
@@ -72,13 +72,13 @@ void collect(const HelperPlan& plan) {
     if (static_cast<std::uint64_t>(status.st_size) > plan.collectLimit)
       return "has " + std::to_string(status.st_size) + " bytes, the limit is " +
              std::to_string(plan.collectLimit);
-    executable = (status.st_mode & S_IXUSR) != 0;
-    return copyOut(file, static_cast<int>(plan.collectInto), plan.collectLimit);
-  }();
-  if (problem.empty())
-    report(plan, HelperReport::Kind::collected, "", 0, executable);
-  else
-    report(plan, HelperReport::Kind::notCollected, plan.collect + " " + problem);
+    if (status.st_mode & S_IXUSR) executable |= 1 << n;
+    return copyOut(file, static_cast<int>(plan.collectInto[n]), plan.collectLimit);
+  };
+  for (std::size_t n = 0; n < plan.collect.size(); ++n)
+    if (const std::string problem = copyFile(n); !problem.empty())
+      return report(plan, HelperReport::Kind::notCollected, plan.collect[n] + " " + problem);
+  report(plan, HelperReport::Kind::collected, "", 0, executable);
 }
 
 } // namespace ggrade::sandbox::helper

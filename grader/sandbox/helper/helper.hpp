@@ -15,14 +15,14 @@ void report(const HelperPlan& plan, HelperReport::Kind kind, const std::string& 
 /// exit code of the helper.
 int runOutside(const HelperPlan& plan);
 
-/// Starts the command, waits, ends everything that it left running, hands back the collected file.
+/// Starts the command, waits, ends everything that it left running, hands back the collected files.
 int runInside(const HelperPlan& plan);
 
 /// Copies every file and folder under `source` into the existing folder `destination`, writable.
 /// Returns an empty string or what went wrong.
 std::string copyTree(const std::string& source, const std::string& destination);
 
-/// Hands `plan.collect` back to the supervisor and reports the outcome.
+/// Hands the files of `plan.collect` back to the supervisor and reports the outcome.
 void collect(const HelperPlan& plan);
 
 /// Tries, from inside, what the sandbox must refuse. Exit code 0 when all is refused; otherwise
