@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <set>
 
 namespace ggrade {
@@ -38,6 +39,8 @@ ItemDeclaration readItem(const json& from) {
   item.step = from.at("step");
   item.beyondLecture = from.value("beyond_lecture", false);
   item.scenes = from.value("scenes", std::vector<std::string>{});
+  item.after = from.value("after", std::string());
+  item.output = from.value("output", std::string());
   return item;
 }
 
@@ -64,6 +67,30 @@ void requireDifferentIds(const Assignment& assignment) {
     add(targets, part.id);
     for (const Todo& todo : part.todos) add(todos, todo.id);
     for (const ItemDeclaration& item : part.items) add(items, item.id);
+  }
+}
+
+/// What an item is after is a pass of its own part, and nothing is after itself in the end.
+void requireChains(const Assignment& assignment) {
+  std::map<std::string, std::pair<const Part*, const ItemDeclaration*>> known;
+  for (const Part& part : assignment.parts)
+    for (const ItemDeclaration& item : part.items) known[item.id] = {&part, &item};
+  for (const auto& [id, found] : known) {
+    const auto [part, item] = found;
+    if (item->after.empty()) continue;
+    const auto refuse = [&](const std::string& why) {
+      throw UsageError(fmt::format("{}: after \"{}\": {}", item->id, item->after, why));
+    };
+    if (item->kind != report::ItemKind::gain) refuse("only an item of kind gain comes after one");
+    const auto before = known.find(item->after);
+    if (before == known.end()) refuse("there is no such item");
+    if (before->second.first != part)
+      refuse(fmt::format("that is an item of another part, \"{}\"", before->second.first->id));
+    if (before->second.second->output.empty())
+      refuse("that item doesn't say what its pass leaves (\"output\")");
+    std::size_t steps = 0;
+    for (auto at = before; at != known.end(); at = known.find(at->second.second->after))
+      if (++steps > known.size()) refuse("items go round in a circle");
   }
 }
 
@@ -102,6 +129,7 @@ Assignment Assignment::load(const fs::path& folder) {
     for (const json& part : from.at("parts")) assignment.parts.push_back(readPart(part));
     assignment.folder = folder;
     requireDifferentIds(assignment);
+    requireChains(assignment);
     if (assignment.id != folder.filename())
       throw UsageError(fmt::format("id is \"{}\" but the folder is \"{}\"", assignment.id,
                                    folder.filename().string()));

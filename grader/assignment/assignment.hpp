@@ -34,6 +34,12 @@ struct ItemDeclaration {
   bool beyondLecture = false;
   std::vector<std::string>
       scenes; ///< tags of the scenes that it looks at; empty: all but bonus scenes
+  /// The item that judges the pass which this one builds on; empty: none. Where that one failed,
+  /// this one is judged once more with the reference's output of the pass, and the better counts.
+  std::string after;
+  /// What the item's pass leaves, in a word or two ("shadow map"); not empty where another item is
+  /// after this one.
+  std::string output;
 };
 
 /// What is handed out, graded and given points together.

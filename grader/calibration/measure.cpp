@@ -79,8 +79,9 @@ private:
     grading::GradeOptions how;
     how.pictures = false;
     how.threads = 1;
-    how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem) {
-      return server.judge(scenes, work, problem);
+    how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem,
+                      const std::vector<std::string>& again) {
+      return server.judge(scenes, work, problem, again);
     };
     return scoreOf(grading::gradeBuilt(target_, plan, references, subject.build(target_), how));
   }

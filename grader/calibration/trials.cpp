@@ -93,7 +93,7 @@ private:
       how.pictures = false;
       how.threads = 1;
       how.judging = [&](const std::vector<rubric::SceneFolders>& scenes, const fs::path&,
-                        std::string&) {
+                        std::string&, const std::vector<std::string>&) {
         all[i].scenes = scenes;
         for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
           const fs::path to = kept / fmt::format("{}-{}", i, scene);

@@ -1,5 +1,6 @@
 #include "grading/grade.hpp"
 
+#include "grading/carry.hpp"
 #include "grading/judge_process.hpp"
 #include "grading/overlay.hpp"
 #include "grading/workspace.hpp"
@@ -175,10 +176,12 @@ void nameOutcome(const std::vector<Rendering>& renderings,
 
 Judging judgeAlone(const Target& target, const GradeOptions& options) {
   return [&](const std::vector<rubric::SceneFolders>& scenes, const fs::path& work,
-             std::string& problem) {
+             std::string& problem, const std::vector<std::string>& again) {
     const fs::path evidence = work / "evidence.json";
-    rubric::writeEvidence(evidence, target.assignment.folder, target.id, scenes);
-    return judge(target, evidence, work, options.judgeArguments, problem);
+    rubric::writeEvidence(evidence, target.assignment.folder, target.id, scenes, again);
+    // A file of test results that the caller asked for is about the first judging.
+    return judge(target, evidence, work,
+                 again.empty() ? options.judgeArguments : std::vector<std::string>(), problem);
   };
 }
 
@@ -264,7 +267,21 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
     const Stopwatch time(result, "judge");
     std::string problem;
     const Judging judging = options.judging ? options.judging : judgeAlone(target, options);
-    result.items = judging(folders, work.path(), problem);
+    result.items = judging(folders, work.path(), problem, {});
+    if (!problem.empty()) {
+      result.outcome = Outcome::notGradable;
+      result.detail = problem;
+    }
+  }
+  if (result.outcome != Outcome::notGradable) {
+    std::string problem;
+    const Judging judging = options.judging ? options.judging : judgeAlone(target, options);
+    const auto start = std::chrono::steady_clock::now();
+    const int runs =
+        carryForward({target, plan, references, built.program, folders, judging, options.threads},
+                     result.items, problem);
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    if (runs > 0) result.timings.push_back({"carry forward", passed.count()});
     if (!problem.empty()) {
       result.outcome = Outcome::notGradable;
       result.detail = problem;

@@ -12,10 +12,11 @@
 namespace ggrade::grading {
 
 /// Judges scenes whose folders are all filled in; `work` is for its files. `problem` says why items
-/// stay unjudged.
+/// stay unjudged. `again` names the items that are judged once more, by first frames alone, in the
+/// scenes that have a student's folder; empty: all items.
 using Judging = std::function<std::vector<report::Item>(
     const std::vector<rubric::SceneFolders>& scenes, const std::filesystem::path& work,
-    std::string& problem)>;
+    std::string& problem, const std::vector<std::string>& again)>;
 
 struct GradeOptions {
   std::filesystem::path upload;

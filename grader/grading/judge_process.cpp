@@ -101,8 +101,15 @@ std::vector<report::Item> readItems(const Target& target, const fs::path& result
       item.judged = true;
       item.earned = found->second.at("earned");
       item.message = found->second.at("message");
-      for (const json& credit : found->second.at("credits"))
+      for (const json& credit : found->second.at("credits")) {
         item.credits.emplace_back(credit.at(0), credit.at(1));
+        item.messages.push_back(credit.at(2));
+      }
+      for (const json& outputs : found->second.at("outputs")) {
+        item.outputs.push_back({outputs.at("scene"), {}});
+        for (const json& pair : outputs.at("pairs"))
+          item.outputs.back().pairs.push_back({pair.at(0), pair.at(1), pair.at(2), pair.at(3)});
+      }
       const bool full =
           item.kind == report::ItemKind::keep ? item.earned >= 0 : item.earned >= item.points;
       if (!full) {

@@ -76,7 +76,8 @@ std::string JudgeServer::gone() {
 }
 
 std::vector<report::Item> JudgeServer::judge(const std::vector<rubric::SceneFolders>& scenes,
-                                             const fs::path& work, std::string& problem) {
+                                             const fs::path& work, std::string& problem,
+                                             const std::vector<std::string>& again) {
   json students = json::array();
   for (const rubric::SceneFolders& scene : scenes) students.push_back(scene.student.string());
   fs::path results, done;
@@ -84,10 +85,12 @@ std::vector<report::Item> JudgeServer::judge(const std::vector<rubric::SceneFold
     const std::lock_guard lock(mutex_);
     results = work / fmt::format("items-{}.jsonl", ++asked_);
     done = work / fmt::format("done-{}", asked_);
-    const std::string line =
-        json{{"students", students}, {"results", results.string()}, {"done", done.string()}}
-            .dump() +
-        '\n';
+    const std::string line = json{{"students", students},
+                                  {"again", again},
+                                  {"results", results.string()},
+                                  {"done", done.string()}}
+                                 .dump() +
+                             '\n';
     if (write(requests_, line.data(), line.size()) != ssize_t(line.size()))
       problem = "the judge takes no requests";
   }

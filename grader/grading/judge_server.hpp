@@ -28,9 +28,10 @@ public:
   JudgeServer& operator=(const JudgeServer&) = delete;
 
   /// The items of the submission whose folders stand in `scenes`; `work` is for the answer's files.
-  /// `problem` says why items stay unjudged. Throws Interrupted.
+  /// `problem` says why items stay unjudged. `again`: see rubric::Evidence. Throws Interrupted.
   std::vector<report::Item> judge(const std::vector<rubric::SceneFolders>& scenes,
-                                  const std::filesystem::path& work, std::string& problem);
+                                  const std::filesystem::path& work, std::string& problem,
+                                  const std::vector<std::string>& again = {});
 
 private:
   /// Why it is gone, or "".

@@ -237,7 +237,8 @@ trace::Request gradingRequest() {
 
 Rendering renderScene(const std::string& id, const fs::path& folder, const nlohmann::json& scene,
                       const std::vector<double>& times, const ShaderCache& shaders,
-                      Isolation isolation, const trace::Request& trace) {
+                      Isolation isolation, const trace::Request& trace,
+                      const std::vector<channel::PassPixels>& replacements) {
   TemporaryFolder work;
   const fs::path sceneFolder = work.makeVisible("scene");
   {
@@ -247,7 +248,8 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   }
   const Places at(isolation, folder, shaders.folder, sceneFolder);
   const auto size = scene.at("size").get<std::vector<std::uint32_t>>();
-  channel::Channel channel(plan(times, size.at(0), size.at(1)), channel::kDefaultMaxPixels, trace);
+  channel::Channel channel(plan(times, size.at(0), size.at(1)), channel::kDefaultMaxPixels, trace,
+                           replacements);
 
   sandbox::Command command;
   command.arguments = {(at.work / id).string(), "--scene", (at.scene / "scene.json").string()};

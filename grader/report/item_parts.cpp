@@ -76,6 +76,7 @@ Data itemOf(const Result& result, std::size_t index) {
   data["points"] = Data(pointsText(item));
   data["share"] = item.judged ? Data(number(std::clamp(reached, 0.0, 1.0) * 100, 1)) : Data(false);
   data["message"] = line(item.message);
+  data["carried"] = optional(carriedText(item));
   data["where"] = line(item.where);
   data["cause"] = line(item.cause);
   data["step"] = line(item.step);

@@ -34,6 +34,17 @@ std::string_view explanation(Outcome outcome);
 
 enum class ItemKind { gain, keep, bonus };
 
+/// For the grading process: where the passes that a failed item judges have left in one scene what
+/// later ones build on.
+struct PassOutputs {
+  struct Pair {
+    std::uint32_t pass, attachment; ///< in the submission's trace
+    std::uint32_t referencePass, referenceAttachment;
+  };
+  std::size_t scene = 0; ///< index in the plan
+  std::vector<Pair> pairs;
+};
+
 /// One rubric item. `points` come from assignment.json.
 struct Item {
   std::string id; ///< "mirror.shading"
@@ -49,6 +60,11 @@ struct Item {
   std::string step;    ///< heading of the handout to read again; empty when all points were earned
   bool beyondLecture = false;
   std::vector<std::pair<std::string, double>> credits; ///< scene name and credit 0 to 1
+  std::vector<std::string> messages;                   ///< one to each of `credits`
+  std::vector<PassOutputs> outputs; ///< by scene; empty where nothing can be replaced
+  /// What the reference's was put in place of ("reflection"), where the item earned more by that;
+  /// else empty.
+  std::vector<std::string> carried;
 };
 
 /// One frame as a person compares it. Images are RGBA, 0 to 1, and may be empty (no frame came).

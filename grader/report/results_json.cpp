@@ -44,6 +44,7 @@ std::string outputOf(const Item& item) {
     if (!part.empty()) text += fmt::format("{}{}\n", label, sanitizeLine(part));
   };
   add("", item.judged ? item.message : "Not judged.");
+  add("", carriedText(item));
   add("Where: ", item.where);
   add("Likely cause: ", item.cause);
   add("Read again: ", item.step);
@@ -103,6 +104,8 @@ Json extraData(const Result& result) {
   for (const Item& item : result.items) {
     Json credits = Json::object();
     for (const auto& [scene, credit] : item.credits) credits[sanitizeLine(scene)] = value(credit);
+    Json carried = Json::array();
+    for (const std::string& output : item.carried) carried.push_back(sanitizeLine(output));
     data["items"].push_back({{"id", sanitizeLine(item.id)},
                              {"kind", kindName(item.kind)},
                              {"earned", value(item.earned)},
@@ -110,7 +113,8 @@ Json extraData(const Result& result) {
                              {"judged", item.judged},
                              {"message", sanitizeLine(item.message)},
                              {"where", sanitizeLine(item.where)},
-                             {"credits", credits}});
+                             {"credits", credits},
+                             {"carried_forward", carried}});
   }
   for (const Scene& scene : result.scenes) {
     Json frames = Json::array();

@@ -53,6 +53,16 @@ std::string headline(const Result& result) {
   return fmt::format("{} of {} items lost points.", incomplete, total);
 }
 
+std::string carriedText(const Item& item) {
+  std::string list;
+  for (std::size_t i = 0; i < item.carried.size(); ++i)
+    list += (i == 0                        ? ""
+             : i + 1 < item.carried.size() ? ", "
+                                           : " and ") +
+            sanitizeLine(item.carried[i]);
+  return list.empty() ? "" : fmt::format("Judged with the reference's {} in place of yours.", list);
+}
+
 std::vector<const Item*> worstItems(const Result& result, std::size_t count) {
   std::vector<const Item*> worst;
   if (!scored(result.outcome)) return worst;

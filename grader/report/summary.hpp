@@ -29,6 +29,10 @@ bool scored(Outcome outcome);
 /// One sentence: how it ended, in words, or how many items lost points.
 std::string headline(const Result& result);
 
+/// "Judged with the reference's scene and bright pass in place of yours." Empty where nothing was
+/// carried forward.
+std::string carriedText(const Item& item);
+
 /// Gain and keep items that lost points, most points first, at most `count`. Empty unless scored.
 std::vector<const Item*> worstItems(const Result& result, std::size_t count);
 

@@ -98,8 +98,9 @@ std::string itemLines(const Item& item, const TerminalStyle& style, std::size_t 
   std::string text = fmt::format("{} {}  {}\n", paint(style, mark.colour, mark.sign),
                                  padLeft(pointsText(item), 12), fit(title, width - 16));
   while (text.size() > 1 && text[text.size() - 2] == ' ') text.erase(text.size() - 2, 1);
-  if (standing(item) == Standing::full || !item.judged) return text;
   constexpr std::size_t kIndent = 16;
+  text += wrap(carriedText(item), kIndent, width);
+  if (standing(item) == Standing::full || !item.judged) return text;
   text += wrap(sanitizeLine(item.message), kIndent, width);
   if (!item.where.empty()) text += wrap("where: " + sanitizeLine(item.where), kIndent, width);
   if (!item.cause.empty()) text += wrap("likely: " + sanitizeLine(item.cause), kIndent, width);

@@ -20,6 +20,10 @@ std::map<std::string, Judge>& judges() {
   return all;
 }
 
+bool isAmong(const std::vector<std::string>& ids, const std::string& id) {
+  return std::find(ids.begin(), ids.end(), id) != ids.end();
+}
+
 bool looksAt(const ItemDeclaration& item, const SceneEvidence& scene) {
   if (item.scenes.empty()) return !scene.has("bonus");
   return std::any_of(item.scenes.begin(), item.scenes.end(),
@@ -37,13 +41,15 @@ Verdict checked(const Judge& judge, const View& view) {
 /// One item as a GoogleTest test.
 class ItemTest : public testing::Test {
 public:
-  ItemTest(ItemDeclaration item, const Evidence& evidence, std::map<std::string, json>& results)
-      : item_(std::move(item)), evidence_(evidence), results_(results) {}
+  ItemTest(ItemDeclaration item, const std::vector<ItemDeclaration>& items,
+           const Evidence& evidence, std::map<std::string, json>& results)
+      : item_(std::move(item)), items_(items), evidence_(evidence), results_(results) {}
 
   void TestBody() override {
     const Decision decision = decide(item_, judgeOf(item_.id), evidence_);
     const bool keep = item_.kind == report::ItemKind::keep;
-    const json line = lineOf(item_, decision);
+    json line = lineOf(item_, decision);
+    line["outputs"] = outputsOf(item_, items_, decision, evidence_);
     const double points = line.at("earned");
     results_[item_.id] = line;
     RecordProperty("earned", fmt::format("{}", points));
@@ -53,6 +59,7 @@ public:
 
 private:
   ItemDeclaration item_;
+  const std::vector<ItemDeclaration>& items_;
   const Evidence& evidence_;
   std::map<std::string, json>& results_;
 };
@@ -95,14 +102,18 @@ const Judge& judgeOf(const std::string& item) {
   return found->second;
 }
 
+double pointsOf(report::ItemKind kind, double points, double credit) {
+  const bool keep = kind == report::ItemKind::keep;
+  return std::round((keep ? credit - 1 : credit) * points * 10) / 10;
+}
+
 json lineOf(const ItemDeclaration& item, const Decision& decision) {
-  const bool keep = item.kind == report::ItemKind::keep;
   json credits = json::array();
-  for (const auto& [scene, credit] : decision.credits) credits.push_back({scene, credit});
-  // Tenths of a point: what a person can check by hand.
+  for (std::size_t i = 0; i < decision.credits.size(); ++i)
+    credits.push_back(
+        {decision.credits[i].first, decision.credits[i].second, decision.messages[i]});
   return {{"id", item.id},
-          {"earned",
-           std::round((keep ? decision.credit - 1 : decision.credit) * item.points * 10) / 10},
+          {"earned", pointsOf(item.kind, item.points, decision.credit)},
           {"credit", decision.credit},
           {"message", decision.message},
           {"credits", credits}};
@@ -160,12 +171,15 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
     }
     any = true;
     decision.credits.emplace_back(scene.name, credit);
+    decision.messages.push_back(message);
     if (credit < decision.credit || decision.credits.size() == 1)
       decision.message = fmt::format("{}: {}", scene.name, message);
     decision.credit = std::min(decision.credit, credit);
   }
   if (!any && item.kind == report::ItemKind::keep) {
     decision.message = "no scene has all its frames";
+  } else if (!any && !evidence.again.empty()) {
+    decision.credit = 0; // the first frames alone may not show it
   } else if (!any) {
     throw std::runtime_error("no scene can show " + item.id);
   }
@@ -189,19 +203,23 @@ int runJudge(const std::filesystem::path& evidenceFile, const std::filesystem::p
   testing::InitGoogleTest(&argc, argv.data());
   if (argc > 1) throw UsageError(fmt::format("\"{}\" is not an argument of GoogleTest", argv[1]));
 
+  const std::vector<ItemDeclaration> all = target.items();
+  std::vector<ItemDeclaration> items;
+  for (const ItemDeclaration& item : all)
+    if (evidence.again.empty() || isAmong(evidence.again, item.id)) items.push_back(item);
   std::map<std::string, json> results;
-  for (const ItemDeclaration& item : target.items()) {
+  for (const ItemDeclaration& item : items) {
     const std::size_t dot = item.id.find('.');
     testing::RegisterTest(
         item.id.substr(0, dot).c_str(), item.id.substr(dot + 1).c_str(), nullptr, nullptr, __FILE__,
-        __LINE__, [&, item]() -> ItemTest* { return new ItemTest(item, evidence, results); });
+        __LINE__, [&, item]() -> ItemTest* { return new ItemTest(item, all, evidence, results); });
   }
   testing::UnitTest::GetInstance()->listeners().Append(new Writer(resultsFile, results));
   [[maybe_unused]] const int lostPoints = RUN_ALL_TESTS();
   // Lost points are no failure of the judge, so the result says nothing here; an item without a
   // result is, unless it was asked for.
   const bool filtered = testing::GTEST_FLAG(filter) != "*";
-  for (const ItemDeclaration& item : target.items())
+  for (const ItemDeclaration& item : items)
     if (!results.count(item.id) && !filtered) return 1;
   return 0;
 }

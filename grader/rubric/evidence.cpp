@@ -108,7 +108,8 @@ bool SceneEvidence::has(const std::string& tag) const {
 }
 
 void writeEvidence(const fs::path& file, const fs::path& assignmentFolder,
-                   const std::string& target, const std::vector<SceneFolders>& scenes) {
+                   const std::string& target, const std::vector<SceneFolders>& scenes,
+                   const std::vector<std::string>& again) {
   json list = json::array();
   for (const SceneFolders& scene : scenes) {
     json probes = json::object();
@@ -124,19 +125,33 @@ void writeEvidence(const fs::path& file, const fs::path& assignmentFolder,
                     {"stub", scene.stub.string()},
                     {"probes", probes}});
   }
-  const std::string text =
-      json{{"assignment", assignmentFolder.string()}, {"target", target}, {"scenes", list}}.dump(1);
+  const std::string text = json{
+      {"assignment", assignmentFolder.string()},
+      {"target", target},
+      {"again", again},
+      {"scenes", list}}.dump(1);
   write(file, text.data(), text.size());
+}
+
+void keepFirstFrames(Evidence& evidence) {
+  const auto cut = [](Frames& frames) { frames.resize(std::min<std::size_t>(frames.size(), 1)); };
+  for (SceneEvidence& scene : evidence.scenes) {
+    scene.frameCount = std::min<std::size_t>(scene.frameCount, 1);
+    for (Frames* frames : {&scene.student, &scene.reference, &scene.stub}) cut(*frames);
+    for (auto& [name, frames] : scene.probes) cut(frames);
+  }
 }
 
 Evidence readEvidence(const fs::path& file) {
   const json from = readJson(file);
-  Evidence evidence{from.at("assignment").get<std::string>(), from.at("target"), {}};
+  Evidence evidence{from.at("assignment").get<std::string>(), from.at("target"), {}, {}};
   const json& scenes = from.at("scenes");
   std::vector<std::future<SceneEvidence>> loading;
   for (const json& scene : scenes)
     loading.push_back(std::async(std::launch::async, [&scene] { return readScene(scene); }));
   for (auto& scene : loading) evidence.scenes.push_back(scene.get());
+  evidence.again = from.at("again").get<std::vector<std::string>>();
+  if (!evidence.again.empty()) keepFirstFrames(evidence);
   return evidence;
 }
 

@@ -53,6 +53,9 @@ struct Evidence {
   std::filesystem::path assignmentFolder; ///< holds assignment.json
   std::string target;                     ///< "mirror" or "floor"
   std::vector<SceneEvidence> scenes;
+  /// IDs of the items that are judged once more, by the scenes' first frames alone; empty: all
+  /// items are judged, by all frames.
+  std::vector<std::string> again;
 };
 
 /// Where the frames of one scene stand.
@@ -68,9 +71,12 @@ struct SceneFolders {
 };
 
 void writeEvidence(const std::filesystem::path& file, const std::filesystem::path& assignmentFolder,
-                   const std::string& target, const std::vector<SceneFolders>& scenes);
+                   const std::string& target, const std::vector<SceneFolders>& scenes,
+                   const std::vector<std::string>& again = {});
 /// Scenes without a student's folder have no student's frames.
 Evidence readEvidence(const std::filesystem::path& file);
+/// Leaves the first frame of each scene, of whoever drew it.
+void keepFirstFrames(Evidence& evidence);
 /// Reads what a submission drew in this scene.
 void readStudent(SceneEvidence& scene, const std::filesystem::path& folder);
 

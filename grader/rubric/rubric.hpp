@@ -7,6 +7,13 @@
 /// \code
 /// GGRADE_ITEM("mirror.shading", [](const View& view) { ... return Verdict{quality, message}; })
 /// \endcode
+///
+/// An item that judges what a pass leaves for others says where it lies, so that items after it
+/// (`after` in assignment.json) can be judged with the reference's in its place:
+///
+/// \code
+/// GGRADE_PASS("mirror.texture", [](const View& view) -> std::vector<PassOutput> { ... })
+/// \endcode
 
 #include "assignment/assignment.hpp"
 #include "rubric/evidence.hpp"
@@ -37,6 +44,21 @@ struct Verdict {
 
 using Judge = std::function<Verdict(const View&)>;
 
+/// An attachment after a pass of the first frame.
+struct PassOutput {
+  std::uint32_t pass = 0; ///< index in the trace
+  std::uint32_t attachment = 0;
+};
+
+/// Where the passes that an item judges have left their output, in an order that is the same for a
+/// submission and the reference. Empty where there is none, or where the reference's output would
+/// be of no use to the submission's later passes (as for a map that is read through another
+/// matrix).
+using Finder = std::function<std::vector<PassOutput>(const View&)>;
+
+/// Registers the finder of one item, like `add`.
+bool addFinder(const std::string& item, Finder finder);
+
 /// Registers the judge of one item; returns true so that it can stand at namespace scope.
 bool add(const std::string& item, Judge judge);
 
@@ -45,6 +67,7 @@ struct Decision {
   double credit = 0; ///< 0 to 1; the worst scene counts
   std::string message;
   std::vector<std::pair<std::string, double>> credits; ///< by scene
+  std::vector<std::string> messages;                   ///< one to each of `credits`
 };
 
 /// What the stub has of an item in a scene, for who asks for many submissions.
@@ -60,6 +83,19 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
 /// the stub's qualities, and the rubric what it keeps of a scene.
 void warm(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence,
           Floors& floors);
+
+/// Points earned, to a tenth: what a person can check by hand. Of a keep item: 0 or less.
+double pointsOf(report::ItemKind kind, double points, double credit);
+
+/// Where the passes of an item that failed have left their output, where another of `items` builds
+/// on it: a list of `{"scene": index, "pairs": [[pass, attachment, the reference's pass, its
+/// attachment], ...]}`, one entry for each scene that such an item looks at and where this one did
+/// not earn nearly all. Only pairs of textures of equal size and format. Null if there is none.
+nlohmann::json outputsOf(const ItemDeclaration& item, const std::vector<ItemDeclaration>& items,
+                         const Decision& decision, const Evidence& evidence);
+
+/// With less of its points an item has failed, and what is after it may be judged without it.
+inline constexpr double kNearlyAll = 0.9;
 
 /// The decision as a line of results: item, points earned, message, credits by scene.
 nlohmann::json lineOf(const ItemDeclaration& item, const Decision& decision);
@@ -87,3 +123,6 @@ int serveJudge(const std::filesystem::path& evidence);
 #define GGRADE_ITEM(item, ...)                                                                     \
   [[maybe_unused]] static const bool GGRADE_ITEM_NAME_(__LINE__) =                                 \
       ::ggrade::rubric::add(item, __VA_ARGS__)
+#define GGRADE_PASS(item, ...)                                                                     \
+  [[maybe_unused]] static const bool GGRADE_ITEM_NAME_(__LINE__) =                                 \
+      ::ggrade::rubric::addFinder(item, __VA_ARGS__)

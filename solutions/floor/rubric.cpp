@@ -195,6 +195,14 @@ GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
                                               100 * share, densestAt(comparison.densest))};
 });
 
+GGRADE_PASS("mirror.texture", [](const View& view) -> std::vector<PassOutput> {
+  // The first one: a reflection is drawn before what shows it.
+  for (const Drawn& drawn : sampledLater(view.trace))
+    if (drawn.attachment < trace::kColors && drewObjects(*drawn.pass))
+      return {{drawn.copy->pass, drawn.attachment}};
+  return {};
+});
+
 using Colour = std::array<float, 3>;
 
 /// Cosine of the angle between two colours: 1 for the same hue, however bright. 0 if one is black.

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <optional>
@@ -217,6 +218,27 @@ GGRADE_ITEM("bloom.sum", [](const View& view) {
   });
   return passOrPicture(view, verdict.quality, verdict.message);
 });
+
+/// Where the levels `first` to `last` were drawn on the way down; empty unless all of them were.
+std::vector<PassOutput> levelOutputs(const View& view, std::size_t first, std::size_t last) {
+  const Pyramid& pyramid = pyramidOf(view);
+  std::vector<PassOutput> outputs;
+  for (std::size_t k = first; k < std::min(last, pyramid.levels.size()); ++k) {
+    if (!pyramid.levels[k].output) return {};
+    outputs.push_back(*pyramid.levels[k].output);
+  }
+  return outputs;
+}
+
+GGRADE_PASS("bloom.scene", [](const View& view) -> std::vector<PassOutput> {
+  const Pyramid& pyramid = pyramidOf(view);
+  if (!pyramid.sceneOutput) return {};
+  return {*pyramid.sceneOutput};
+});
+
+GGRADE_PASS("bloom.bright", [](const View& view) { return levelOutputs(view, 0, 1); });
+
+GGRADE_PASS("bloom.levels", [](const View& view) { return levelOutputs(view, 1, SIZE_MAX); });
 
 GGRADE_ITEM("bloom.tiny", picture);
 

@@ -10,6 +10,7 @@
 namespace floor_rubric {
 
 using namespace ggrade;
+using rubric::PassOutput;
 using rubric::SceneEvidence;
 using rubric::Verdict;
 using rubric::View;

@@ -16,6 +16,7 @@ struct ScreenPass {
   int width, height;
   std::uint32_t texture, level, format;
   const trace::CopyRecord* copy;
+  rubric::PassOutput output() const { return {copy->pass, copy->attachment}; }
 };
 
 std::vector<ScreenPass> screenPasses(const trace::Trace& trace) {
@@ -38,6 +39,7 @@ void findScene(const trace::Trace& trace, Pyramid& pyramid) {
     if (drawn.attachment >= trace::kColors || !drewObjects(*drawn.pass)) continue;
     pyramid.scene = firstChannels(trace.image(*drawn.copy), 3);
     pyramid.sceneFormat = drawn.format; // the last one: a reflection is drawn before the scene
+    pyramid.sceneOutput = {drawn.copy->pass, drawn.attachment};
   }
 }
 
@@ -112,7 +114,8 @@ Pyramid ownPyramid(const trace::Trace& trace) {
     const Image image = firstChannels(trace.image(*pass.copy), 3);
     if (found == known.end()) {
       known.push_back(key);
-      pyramid.levels.push_back({pass.width, pass.height, pass.format, image, image, false});
+      pyramid.levels.push_back(
+          {pass.width, pass.height, pass.format, image, image, false, pass.output()});
     } else {
       Level& level = pyramid.levels[std::size_t(found - known.begin())];
       level.up = image;
@@ -127,15 +130,18 @@ Pyramid pyramidLike(const Pyramid& reference, const trace::Trace& trace) {
   findScene(trace, pyramid);
   const std::vector<ScreenPass> passes = screenPasses(trace);
   for (const Level& wanted : reference.levels) {
-    Level level{wanted.width, wanted.height, 0, {}, {}, false};
+    Level level{wanted.width, wanted.height, 0, {}, {}, false, {}};
     for (const ScreenPass& pass : passes) {
       if (std::abs(pass.width - wanted.width) > 1 || std::abs(pass.height - wanted.height) > 1)
         continue;
       const Image image = firstChannels(trace.image(*pass.copy), 3);
-      if (level.down.empty())
-        level.down = image, level.format = pass.format;
-      else
+      if (level.down.empty()) {
+        level.down = image;
+        level.format = pass.format;
+        level.output = pass.output();
+      } else {
         level.summed = true;
+      }
       level.up = image;
     }
     pyramid.levels.push_back(std::move(level));

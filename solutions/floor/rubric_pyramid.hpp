@@ -1,8 +1,10 @@
 #pragma once
 // The pyramid of a bloom: its levels as found among the passes, and its filter in double precision.
 
+#include "rubric/rubric.hpp"
 #include "rubric_passes.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,15 +13,17 @@ namespace floor_rubric {
 /// One level: what was drawn at its size first (on the way down) and last (on the way up).
 struct Level {
   int width = 0, height = 0;
-  std::uint32_t format = 0; ///< internal, of what was drawn first; 0 if nothing was
-  Image down, up;      ///< RGB; empty if nothing was drawn at this size
-  bool summed = false; ///< drawn more than once
+  std::uint32_t format = 0;                 ///< internal, of what was drawn first; 0 if nothing was
+  Image down, up;                           ///< RGB; empty if nothing was drawn at this size
+  bool summed = false;                      ///< drawn more than once
+  std::optional<rubric::PassOutput> output; ///< where `down` was drawn
 };
 
 struct Pyramid {
   Image scene; ///< RGB; empty if no pass draws objects into a texture that is sampled
   std::uint32_t sceneFormat = 0; ///< internal format
-  std::vector<Level> levels;     ///< largest first
+  std::optional<rubric::PassOutput> sceneOutput;
+  std::vector<Level> levels; ///< largest first
 };
 
 /// The reference's pyramid: every texture smaller than the window that a full-screen pass drew.

@@ -269,6 +269,37 @@ GGRADE_ITEM("shadow.map", [](const View& view) -> Verdict {
                       map.size, 100 * map.share)};
 });
 
+/// The light's depth map; null if no pass draws objects into one that a later pass samples.
+const Drawn* lightMap(const std::vector<Drawn>& all) {
+  for (const Drawn& drawn : all)
+    if (drawn.attachment == trace::kDepth && drewObjects(*drawn.pass)) return &drawn;
+  return nullptr;
+}
+
+/// Does a map agree with the objects when it is read through a matrix of the step that samples the
+/// submission's own?
+bool readable(const View& view, const Image& map, const trace::StepRecord& reading) {
+  float low = 1, high = 0;
+  for (const float depth : map.values())
+    if (depth < 1) low = std::min(low, depth), high = std::max(high, depth);
+  for (const glm::dmat4& matrix : matricesAndProducts(matricesOf(view.trace, reading)))
+    for (const bool unit : {false, true})
+      if (agreementThrough(map, 1, std::max(high - low, 1e-6f), matrix, unit, lightPoints(view)) >=
+          0.9)
+        return true;
+  return false;
+}
+
+GGRADE_PASS("shadow.map", [](const View& view) -> std::vector<PassOutput> {
+  const trace::Trace& reference = view.scene.referenceTrace;
+  const std::vector<Drawn> own = sampledLater(view.trace), known = sampledLater(reference);
+  const Drawn *found = lightMap(own), *wanted = lightMap(known);
+  // The reference's map is of no use to a lookup with another matrix.
+  if (!found || !wanted || !readable(view, reference.image(*wanted->copy), *found->readingStep))
+    return {};
+  return {{found->copy->pass, found->attachment}};
+});
+
 GGRADE_ITEM("shadow.depth_only", [](const View& view) -> Verdict {
   const double right = floorShadows(view).quality;
   const MapVerdict map = bestMap(view);

@@ -5,6 +5,8 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
+
 using namespace ggrade;
 using nlohmann::json;
 using testing::AllOf;
@@ -132,6 +134,51 @@ TEST_F(AssignmentFile, TheSameIdTwiceIsRefused) {
   twice["parts"][1]["items"][0]["id"] = "turn.angle";
   write(twice);
   EXPECT_THAT(problem(), HasSubstr("\"turn.angle\" stands there twice"));
+}
+
+/// The sample with an item "turn.after" in the part "turn", changed by `change`.
+json chained(const std::function<void(json& angle, json& after)>& change) {
+  json sample = kSample;
+  json& items = sample["parts"][0]["items"];
+  items[0]["output"] = "angle";
+  items.push_back(items[0]);
+  items[3]["id"] = "turn.after";
+  items[3]["after"] = "turn.angle";
+  change(items[0], items[3]);
+  return sample;
+}
+
+TEST_F(AssignmentFile, ItemsCanBeAfterOneAnother) {
+  write(chained([](json&, json&) {}));
+  const Assignment assignment = Assignment::load(files_.path() / "cube");
+  EXPECT_EQ(assignment.parts[0].items[0].after, "");
+  EXPECT_EQ(assignment.parts[0].items[0].output, "angle");
+  EXPECT_EQ(assignment.parts[0].items[3].after, "turn.angle");
+}
+
+TEST_F(AssignmentFile, WhatNoItemCanBeAfterIsRefused) {
+  struct Case {
+    const char* problem;
+    void (*change)(json& angle, json& after);
+  };
+  const Case cases[] = {
+      {"turn.after: after \"turn.angel\": there is no such item",
+       [](json&, json& after) { after["after"] = "turn.angel"; }},
+      {"turn.after: after \"light.a\": that is an item of another part, \"light\"",
+       [](json&, json& after) { after["after"] = "light.a"; }},
+      {"turn.after: after \"turn.angle\": that item doesn't say what its pass leaves (\"output\")",
+       [](json& angle, json&) { angle.erase("output"); }},
+      {"turn.after: after \"turn.angle\": only an item of kind gain comes after one",
+       [](json&, json& after) { after["kind"] = "keep"; }},
+      {"turn.after: after \"turn.after\": items go round in a circle",
+       [](json&, json& after) { after["after"] = "turn.after"; }},
+      {"turn.after: after \"turn.angle\": items go round in a circle",
+       [](json& angle, json&) { angle["after"] = "turn.after"; }},
+  };
+  for (const Case& one : cases) {
+    write(chained(one.change));
+    EXPECT_THAT(problem(), testing::EndsWith(one.problem));
+  }
 }
 
 } // namespace

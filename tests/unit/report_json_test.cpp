@@ -45,6 +45,18 @@ TEST(ResultsJson, ScoreIncludesTheBonusAndTimesAddUp) {
   EXPECT_NEAR(json["execution_time"], 1.502, 1e-9);
 }
 
+TEST(ResultsJson, WhatWasCarriedForwardIsSaid) {
+  Result result = samples::partial(16, 12);
+  result.items[1].carried = {"scene", "bright pass"};
+  const Json json = parsed(result);
+  EXPECT_EQ(json["extra_data"]["items"][1]["carried_forward"], Json({"scene", "bright pass"}));
+  EXPECT_EQ(json["extra_data"]["items"][0]["carried_forward"], Json::array());
+  EXPECT_THAT(
+      json["tests"][1]["output"].get<std::string>(),
+      HasSubstr("\nJudged with the reference's scene and bright pass in place of yours.\n"));
+  EXPECT_THAT(json["tests"][0]["output"].get<std::string>(), Not(HasSubstr("in place of")));
+}
+
 TEST(ResultsJson, GainItem) {
   const Json test = parsed(samples::partial(16, 12))["tests"][1];
   EXPECT_DOUBLE_EQ(test["score"], 3);

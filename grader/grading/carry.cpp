@@ -1,0 +1,207 @@
+#include "grading/carry.hpp"
+
+#include "rubric/rubric.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace ggrade::grading {
+
+namespace fs = std::filesystem;
+using sandbox::Isolation;
+
+namespace {
+
+double creditOf(const report::Item& item) {
+  double credit = 1;
+  for (const auto& [scene, one] : item.credits) credit = std::min(credit, one);
+  return credit;
+}
+
+bool sameImage(const trace::ImageRef& a, const trace::ImageRef& b) {
+  return a.kind == b.kind && a.target == b.target && a.level == b.level && a.layer == b.layer &&
+         a.format == b.format && a.width == b.width && a.height == b.height &&
+         a.samples == b.samples;
+}
+
+bool samePass(const trace::PassRecord& a, const trace::PassRecord& b) {
+  return a.kind == b.kind && a.status == b.status && a.drawBuffers == b.drawBuffers &&
+         a.cleared == b.cleared && a.written == b.written && a.draws == b.draws &&
+         a.vertices == b.vertices && std::equal(a.viewport, a.viewport + 4, b.viewport) &&
+         std::equal(a.images, a.images + trace::kAttachments, b.images, sameImage);
+}
+
+/// A program that does something else once its outputs are replaced shows nothing about what it did
+/// before.
+bool samePasses(const trace::Trace& first, const trace::Trace& again) {
+  if (first.frames.empty() || again.frames.empty()) return false;
+  const auto a = first.passesOf(0), b = again.passesOf(0);
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), samePass);
+}
+
+class Carrying {
+public:
+  Carrying(const FirstRun& first, std::vector<report::Item>& items, std::string& problem)
+      : first_(first), items_(items), problem_(problem), pixels_(first.folders.size()) {
+    for (const ItemDeclaration& declared : first.target.items()) declared_[declared.id] = declared;
+  }
+
+  int run() {
+    int runs = 0;
+    while (const report::Item* next = nextFailed()) {
+      replaced_.push_back(next->id);
+      std::set<std::size_t> scenes;
+      for (const report::PassOutputs& outputs : next->outputs)
+        if (replaceIn(outputs)) scenes.insert(outputs.scene);
+      if (scenes.empty()) continue;
+      ++runs;
+      judgeAgain(scenes);
+      if (!problem_.empty()) break;
+    }
+    return runs;
+  }
+
+private:
+  /// Is the item after one that is replaced, whatever stands between them?
+  bool isAfter(const std::string& item, const std::string& earlier) const {
+    for (std::string at = declared_.at(item).after; !at.empty(); at = declared_.at(at).after)
+      if (at == earlier) return true;
+    return false;
+  }
+
+  bool isReplaced(const std::string& item) const {
+    return std::find(replaced_.begin(), replaced_.end(), item) != replaced_.end();
+  }
+
+  /// Items that the replaced ones hold back, and that have something to gain.
+  std::vector<std::string> heldBack(const std::vector<std::string>& earlier) const {
+    std::vector<std::string> ids;
+    for (const report::Item& item : items_)
+      if (item.judged && creditOf(item) < 1 && !isReplaced(item.id) &&
+          std::any_of(earlier.begin(), earlier.end(),
+                      [&](const std::string& one) { return isAfter(item.id, one); }))
+        ids.push_back(item.id);
+    return ids;
+  }
+
+  /// How many items it is after: those that come first are replaced first.
+  std::size_t depth(const std::string& item) const {
+    std::size_t depth = 0;
+    for (std::string at = declared_.at(item).after; !at.empty(); at = declared_.at(at).after)
+      ++depth;
+    return depth;
+  }
+
+  const report::Item* nextFailed() const {
+    const report::Item* next = nullptr;
+    for (const report::Item& item : items_)
+      if (item.judged && !item.outputs.empty() && !isReplaced(item.id) &&
+          creditOf(item) < rubric::kNearlyAll && (!next || depth(item.id) < depth(next->id)) &&
+          !heldBack({item.id}).empty())
+        next = &item;
+    return next;
+  }
+
+  /// Adds the reference's pixels of these outputs to what is replaced in their scene.
+  bool replaceIn(const report::PassOutputs& outputs) {
+    const rubric::SceneFolders& folders = first_.folders.at(outputs.scene);
+    const trace::Trace student = trace::load(folders.student);
+    const trace::Trace reference = trace::load(folders.reference);
+    std::vector<channel::PassPixels>& pixels = pixels_[outputs.scene];
+    if (pixels.size() + outputs.pairs.size() > channel::kMaxReplacements) return false;
+    for (const report::PassOutputs::Pair& pair : outputs.pairs) {
+      const trace::CopyRecord* copy =
+          reference.copyOf(pair.referencePass, pair.referenceAttachment);
+      const trace::ImageRef& image = student.passes.at(pair.pass).images[pair.attachment];
+      if (!copy) return false;
+      pixels.push_back({pair.pass, pair.attachment, trace::PixelType(copy->type), image.format,
+                        copy->width, copy->height, reference.bytesOf(*copy)});
+    }
+    return true;
+  }
+
+  /// Draws one scene's first frame with its replacements into `folder`; false if that is no
+  /// evidence.
+  bool render(std::size_t scene, const fs::path& folder) const {
+    const SceneCase& planned = first_.plan.scenes.at(scene);
+    const Rendering rendering = renderScene(
+        first_.target.assignment.id, first_.program, planned.scene, {planned.times.at(0)},
+        first_.references.shaders, Isolation::bwrap, gradingRequest(), pixels_[scene]);
+    const channel::Capture& capture = rendering.capture;
+    const auto done = [](channel::ReplacementAnswer answer) {
+      return answer == channel::ReplacementAnswer::done;
+    };
+    if (!rendering.happened.ok() ||
+        !std::all_of(capture.replacements.begin(), capture.replacements.end(), done) ||
+        !samePasses(trace::load(first_.folders[scene].student), capture.trace))
+      return false;
+    trace::save(capture.trace, folder);
+    rubric::writeFrames(folder, rawFrames(capture));
+    return true;
+  }
+
+  void judgeAgain(const std::set<std::size_t>& scenes) {
+    TemporaryFolder work;
+    std::vector<rubric::SceneFolders> folders = first_.folders;
+    for (rubric::SceneFolders& folder : folders) folder.student.clear();
+    const std::vector<std::size_t> order(scenes.begin(), scenes.end());
+    inParallel(order.size(), first_.threads, [&](std::size_t i) {
+      const fs::path folder = work.path() / fmt::format("again-{}", order[i]);
+      fs::create_directories(folder);
+      if (render(order[i], folder)) folders[order[i]].student = folder;
+    });
+    const std::vector<std::string> wanted = heldBack(replaced_);
+    const std::vector<report::Item> again = first_.judging(folders, work.path(), problem_, wanted);
+    for (const report::Item& one : again)
+      if (std::find(wanted.begin(), wanted.end(), one.id) != wanted.end() && one.judged)
+        keepBetter(one);
+  }
+
+  void keepBetter(const report::Item& again) {
+    const auto item = std::find_if(items_.begin(), items_.end(),
+                                   [&](const report::Item& one) { return one.id == again.id; });
+    const double before = creditOf(*item);
+    for (std::size_t i = 0; i < again.credits.size(); ++i)
+      for (std::size_t k = 0; k < item->credits.size(); ++k)
+        if (item->credits[k].first == again.credits[i].first &&
+            item->credits[k].second < again.credits[i].second) {
+          item->credits[k].second = again.credits[i].second;
+          item->messages[k] = again.messages[i];
+        }
+    const double credit = creditOf(*item);
+    const double earned = rubric::pointsOf(item->kind, item->points, credit);
+    if (credit <= before || earned <= item->earned) return;
+    item->earned = earned;
+    item->message = worstMessage(*item);
+    if (item->earned >= item->points) item->cause = item->step = "";
+    item->carried.clear();
+    for (const std::string& id : replaced_)
+      if (isAfter(item->id, id)) item->carried.push_back(declared_.at(id).output);
+  }
+
+  static std::string worstMessage(const report::Item& item) {
+    const auto worst =
+        std::min_element(item.credits.begin(), item.credits.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return fmt::format("{}: {}", worst->first,
+                       item.messages[std::size_t(worst - item.credits.begin())]);
+  }
+
+  const FirstRun& first_;
+  std::vector<report::Item>& items_;
+  std::string& problem_;
+  std::map<std::string, ItemDeclaration> declared_;
+  std::vector<std::string> replaced_;                    ///< items, in the order of the runs
+  std::vector<std::vector<channel::PassPixels>> pixels_; ///< what is replaced, by scene
+};
+
+} // namespace
+
+int carryForward(const FirstRun& first, std::vector<report::Item>& items, std::string& problem) {
+  return Carrying(first, items, problem).run();
+}
+
+} // namespace ggrade::grading
