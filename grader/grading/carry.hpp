@@ -13,6 +13,7 @@ struct FirstRun {
   const ScenePlan& plan;
   const References& references;
   const std::filesystem::path& program;             ///< the built folder
+  const ShaderCache& shaders;                       ///< what the program has compiled already
   const std::vector<rubric::SceneFolders>& folders; ///< with what the submission drew
   const Judging& judging;
   unsigned threads = 1; ///< scenes that are rendered at a time

@@ -244,13 +244,14 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
     return work.path() / fmt::format("student-{}", i);
   };
   for (std::size_t i = 0; i < folders.size(); ++i) folders[i].student = studentFolder(i);
+  const fs::path shaders = work.makeVisible("shaders");
   std::vector<Rendering> renderings;
   {
     const Stopwatch time(result, "render");
     progress("rendering", 1, steps);
-    renderings = renderScenes(target, built, plan, references, studentFolder,
-                              work.makeVisible("shaders"), options.threads,
-                              [&](std::size_t done) { progress("rendering", done, steps); });
+    renderings =
+        renderScenes(target, built, plan, references, studentFolder, shaders, options.threads,
+                     [&](std::size_t done) { progress("rendering", done, steps); });
   }
   nameOutcome(renderings, folders, result);
 
@@ -263,29 +264,25 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
         all.push_back(describe(folders[i], renderings[i]));
     return all;
   });
+  const Judging judging = options.judging ? options.judging : judgeAlone(target, options);
+  std::string problem;
   {
     const Stopwatch time(result, "judge");
-    std::string problem;
-    const Judging judging = options.judging ? options.judging : judgeAlone(target, options);
     result.items = judging(folders, work.path(), problem, {});
-    if (!problem.empty()) {
-      result.outcome = Outcome::notGradable;
-      result.detail = problem;
-    }
   }
-  if (result.outcome != Outcome::notGradable) {
-    std::string problem;
-    const Judging judging = options.judging ? options.judging : judgeAlone(target, options);
-    const auto start = std::chrono::steady_clock::now();
-    const int runs =
-        carryForward({target, plan, references, built.program, folders, judging, options.threads},
-                     result.items, problem);
-    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
-    if (runs > 0) result.timings.push_back({"carry forward", passed.count()});
-    if (!problem.empty()) {
-      result.outcome = Outcome::notGradable;
-      result.detail = problem;
+  if (problem.empty()) {
+    int runs = 0;
+    {
+      const Stopwatch time(result, "carry forward");
+      runs = carryForward(
+          {target, plan, references, built.program, {shaders}, folders, judging, options.threads},
+          result.items, problem);
     }
+    if (runs == 0) result.timings.pop_back();
+  }
+  if (!problem.empty()) {
+    result.outcome = Outcome::notGradable;
+    result.detail = problem;
   }
   addUp(result);
   result.scenes = scenes.get();

@@ -42,7 +42,7 @@ struct ShaderCache {
   std::filesystem::path folder; ///< the run gets a copy of it; empty: no cache at all
   /// Where the cache stands after a run in the sandbox, for the program's next ones; the copy as it
   /// was if the run ended badly or left too much. Empty: it is forgotten.
-  std::filesystem::path keep;
+  std::filesystem::path keep{};
 };
 
 /// What is recorded of the passes of programs that are graded, and of those that they are compared

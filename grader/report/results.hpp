@@ -72,10 +72,10 @@ struct Frame {
   double time = 0; ///< seconds
   Image student, reference, difference;
   double wrongShare = 0; ///< of all pixels, tolerant comparison
-  std::string hash;      ///< of the student's bytes: equal hashes are bit-identical frames
+  std::string hash{};    ///< of the student's bytes: equal hashes are bit-identical frames
   /// FLIP (image/flip.hpp), for people: 0 to 1; unless there was a pair to compare, not a number.
   double flip = std::numeric_limits<double>::quiet_NaN();
-  Image flipPicture; ///< its map as a heat map
+  Image flipPicture{}; ///< its map as a heat map
 };
 
 struct Scene {

@@ -55,7 +55,7 @@ struct Evidence {
   std::vector<SceneEvidence> scenes;
   /// IDs of the items that are judged once more, by the scenes' first frames alone; empty: all
   /// items are judged, by all frames.
-  std::vector<std::string> again;
+  std::vector<std::string> again{};
 };
 
 /// Where the frames of one scene stand.
