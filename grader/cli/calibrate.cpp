@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 
 #include "calibration/adopt.hpp"
+#include "calibration/diagnosis.hpp"
 #include "calibration/measure.hpp"
 #include "calibration/page.hpp"
 #include "calibration/tolerances.hpp"
@@ -24,7 +25,8 @@ struct Options {
   std::vector<std::string> only;
   unsigned seeds = 10, jobs = grading::workers();
   std::uint64_t firstSeed = 1;
-  bool haveFirstSeed = false, skipTrials = false, json = false;
+  bool haveFirstSeed = false, skipTrials = false, skipDiagnosis = false, json = false;
+  bool diagnosisOnly = false;
 };
 
 /// The parts that an ID names, each a target of its own.
@@ -105,6 +107,25 @@ calibration::CrossValidation crossValidate(const Options& options, const Target&
   return calibration::crossValidate(target.id, target.items(), trials);
 }
 
+/// Two seeds that the diagnosis was not tuned on.
+calibration::DiagnosisFigures diagnoseAll(const Options& options, const Target& target,
+                                          const fs::path& solutions,
+                                          const grading::Catalogue& catalogue) {
+  Progress progress("calibrating " + target.id);
+  calibration::DiagnosisOptions how;
+  how.seeds = {101, 102};
+  if (options.haveFirstSeed) {
+    how.seeds.clear();
+    for (unsigned i = 0; i < options.seeds; ++i) how.seeds.push_back(options.firstSeed + i);
+  }
+  for (const std::string& name : options.only)
+    for (const std::string& full : {name, target.id + '_' + name})
+      if (catalogue.mistake(full)) how.only.push_back(full);
+  how.jobs = options.jobs;
+  how.progress = std::ref(progress);
+  return calibration::measureDiagnosis(target, solutions, how);
+}
+
 void calibrate(const Options& options) {
   const std::vector<Target> targets = partsOf(options.id);
   const fs::path out = outputFolder(
@@ -117,6 +138,12 @@ void calibrate(const Options& options) {
     const fs::path solutions = solutionFolder(target.assignment.id);
     const auto catalogue = grading::loadCatalogue(target.assignment, target.parts[0], solutions,
                                                   catalogueFolder(options, solutions));
+    if (options.diagnosisOnly) {
+      const auto figures = diagnoseAll(options, target, solutions, catalogue);
+      parts.push_back({{"part", target.id}, {"diagnosis", calibration::toJson(figures)}});
+      tables += calibration::sectionOf(figures).text + "\n\n";
+      continue;
+    }
     Progress progress("calibrating " + target.id);
     calibration::MeasureOptions how;
     how.seeds = seedsOf(options, target, solutions);
@@ -131,6 +158,18 @@ void calibrate(const Options& options) {
     for (const std::string& failure : verdicts.failures()) failures += failure + '\n';
     parts.push_back(calibration::toJson(verdicts, measured));
     pages.push_back({target.parts[0].title, verdicts, measured, {}});
+    if (!options.skipDiagnosis && options.only.empty()) {
+      const auto figures = diagnoseAll(options, target, solutions, catalogue);
+      parts.back()["diagnosis"] = calibration::toJson(figures);
+      pages.back().sections.push_back(calibration::sectionOf(figures));
+      tables += pages.back().sections.back().text + "\n\n";
+      if (figures.rightShare() < calibration::kRightAnswers)
+        failures += fmt::format("{}: only {:.1f}% of the diagnoses are right\n", target.id,
+                                100 * figures.rightShare());
+      if (figures.wrongShare() > calibration::kWrongAnswers)
+        failures += fmt::format("{}: {:.1f}% of unknown mistakes are given a wrong name\n",
+                                target.id, 100 * figures.wrongShare());
+    }
     if (options.skipTrials || !options.only.empty()) continue;
     const auto crossed = crossValidate(options, target, solutions, programs, how.seeds);
     parts.back()["cross_validation"] = calibration::toJson(crossed);
@@ -176,6 +215,10 @@ void addCalibrate(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--skip-tolerances", options->skipTrials,
                     "Don't try other tolerances than the published ones (--only skips it, too)");
+  command->add_flag("--skip-diagnosis", options->skipDiagnosis,
+                    "Don't measure whether mistakes are named right (--only skips it, too)");
+  command->add_flag("--diagnosis", options->diagnosisOnly,
+                    "Measure nothing but whether mistakes are named right");
   command->add_flag("--json", options->json, "Print calibration.json on stdout");
   auto* adopted = command->add_option("--adopt", options->adopt,
                                       "Take this submission into the catalogue, anonymously");

@@ -16,7 +16,7 @@ namespace {
 struct Options {
   std::string id, upload, out, reveal = "names";
   std::uint64_t seed = 0;
-  bool haveSeed = false, solution = false, json = false;
+  bool haveSeed = false, solution = false, noDiagnosis = false, json = false;
 };
 
 void grade(const Options& options) {
@@ -39,6 +39,7 @@ void grade(const Options& options) {
   how.solution = options.solution;
   if (options.haveSeed) how.seed = options.seed;
   how.judgeArguments = afterDashes;
+  how.diagnosis = !options.noDiagnosis;
   how.progress = std::ref(progress);
   const report::Result result = grading::grade(target, solutions, how);
   progress.clear();
@@ -66,6 +67,8 @@ void addGrade(CLI::App& app) {
       ->check(CLI::IsMember({"none", "names", "details"}))
       ->capture_default_str();
   command->add_flag("--solution", options->solution, "DIR is a trusted folder of solutions/");
+  command->add_flag("--no-diagnosis", options->noDiagnosis,
+                    "Don't look for the likeliest cause of lost points");
   command->add_flag("--json", options->json, "Print results.json on stdout");
   command->footer(
       "After -- stand arguments for GoogleTest, such as --gtest_filter=mirror.where.\n"

@@ -1,6 +1,7 @@
 #include "grading/grade.hpp"
 
 #include "grading/carry.hpp"
+#include "grading/diagnose.hpp"
 #include "grading/judge_process.hpp"
 #include "grading/overlay.hpp"
 #include "grading/workspace.hpp"
@@ -286,6 +287,13 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   }
   addUp(result);
   result.scenes = scenes.get();
+  if (options.examining && !renderings.empty()) {
+    Submitted submitted{plan, references, {}, {}};
+    for (const rubric::SceneFolders& scene : folders) submitted.folders.push_back(scene.student);
+    submitted.facts = factsOf(renderings[0].capture, submitted.folders[0]);
+    const Stopwatch time(result, "diagnose");
+    options.examining(submitted, result);
+  }
   progress("done", steps, steps);
   return result;
 }
@@ -294,11 +302,27 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
                      const GradeOptions& options) {
   const ScenePlan plan =
       drawScenes(target, solutionFolder, options.seed ? &*options.seed : nullptr);
-  const Built built = buildSubmission(target, options);
-  const References references =
-      prepareReferences(target, solutionFolder, plan,
-                        options.progress ? options.progress : Progress([](auto&&...) {}));
-  return gradeBuilt(target, plan, references, built, options);
+  const Progress progress =
+      options.progress ? options.progress : Progress([](const auto&, auto, auto) {});
+  GradeOptions how = options;
+  if (options.diagnosis)
+    how.examining = [&](const Submitted& submitted, report::Result& result) {
+      try {
+        result.diagnoses = diagnose(target, solutionFolder, submitted, result, progress);
+      } catch (const UsageError&) {
+        // The catalogue is the instructor's; its faults cost nobody a grade.
+        report::Diagnosis none;
+        none.text = "No cause was looked for: the catalogue of mistakes has a fault, which ggrade "
+                    "calibrate names.";
+        result.diagnoses = {none};
+      }
+    };
+  Built built = buildSubmission(target, how);
+  if (options.diagnosis && built.result.outcome != Outcome::graded)
+    if (const auto observed = diagnosis::outcomeDiagnosis(built.result, {}))
+      built.result.diagnoses = {*observed};
+  const References references = prepareReferences(target, solutionFolder, plan, progress);
+  return gradeBuilt(target, plan, references, built, how);
 }
 
 } // namespace ggrade::grading

@@ -3,6 +3,7 @@
 /// Grading one submission, from the upload to a result that the reports are written from.
 
 #include "grading/references.hpp"
+#include "grading/submitted.hpp"
 #include "grading/workspace.hpp"
 #include "report/results.hpp"
 
@@ -26,7 +27,10 @@ struct GradeOptions {
   std::vector<std::string> judgeArguments; ///< GoogleTest's
   bool pictures = true; ///< false: the result has items but no scenes, for who wants scores only
   unsigned threads = workers(); ///< scenes that are rendered at a time
+  bool diagnosis = true;        ///< `grade` looks for the likeliest cause of lost points
   Judging judging;              ///< empty: a judge's process for this grading alone
+  /// What looks closer at what `gradeBuilt` judged, if anything does.
+  std::function<void(const Submitted&, report::Result&)> examining;
   Progress progress;
 };
 

@@ -127,6 +127,25 @@ Data factsOf(const Result& result, const Audience& audience) {
   return facts;
 }
 
+Data diagnosesOf(const Result& result) {
+  Data list = makeList();
+  for (const Diagnosis& diagnosis : result.diagnoses) {
+    Data data;
+    data["part"] = result.diagnoses.size() > 1 ? line(diagnosis.part) : Data(false);
+    data["known"] = Data(diagnosis.confidence > 0);
+    data["confidence"] =
+        diagnosis.confidence > 0 ? Data(number(diagnosis.confidence * 100, 0) + "%") : Data(false);
+    data["diagnosis"] = Data(sanitizeLine(diagnosis.text, 800));
+    data["firstWrong"] = optional(whatIsWrong(diagnosis));
+    data["readAgain"] = line(diagnosis.step);
+    data["hasBeside"] = Data(!diagnosis.beside.empty());
+    data["beside"] = linesOf(diagnosis.beside);
+    data["catalogue"] = line(diagnosis.id);
+    list << data;
+  }
+  return list;
+}
+
 // What stands behind a perfect score, in numbers.
 std::string proofOf(const Result& result) {
   if (!perfect(result)) return "";
@@ -166,6 +185,8 @@ void setVerdict(Data& data, const Result& result, const Audience& audience) {
       sanitizeLine(result.detail) == summary.headline ? Data(false) : text(result.detail);
   data["proof"] = optional(proofOf(result));
   data["firstError"] = optional(firstError(result));
+  data["hasDiagnoses"] = Data(!result.diagnoses.empty());
+  data["diagnoses"] = diagnosesOf(result);
   Data findings = makeList();
   for (const Item* item : worstItems(result, kFindings)) findings << findingOf(result, *item);
   data["hasFindings"] = Data(findings.is_non_empty_list());

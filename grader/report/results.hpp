@@ -89,6 +89,21 @@ struct Scene {
   double seconds = 0;
 };
 
+/// The likeliest fault of a submission, in words for its author. What is not known is empty: where
+/// nothing known fits, `text` says so and `confidence` is 0.
+struct Diagnosis {
+  std::string part;                ///< of the assignment; empty: of all
+  std::string text;                ///< what it is most likely, and what to look at
+  std::string step;                ///< heading of the handout to read again
+  double confidence = 0;           ///< 0 to 1
+  std::string picture;             ///< the first picture that is wrong: a pass's, or the window's
+  std::string amount;              ///< how much of it
+  std::string scene;               ///< where that was seen
+  std::string place;               ///< and in which part of the picture, pixels from the top left
+  std::vector<std::string> beside; ///< what else speaks for it, such as the compiler's warnings
+  std::string id; ///< name in the catalogue, of the outcome or of the change; for the instructor
+};
+
 struct Timing {
   std::string what;
   double seconds = 0;
@@ -105,6 +120,7 @@ struct Result {
   double bonus = 0;
   double maxScore = 0;
   std::vector<Item> items;
+  std::vector<Diagnosis> diagnoses; ///< at most one a part; none where nothing was lost
   std::vector<Scene> scenes;
   std::string compilerOutput;           ///< valid UTF-8, the student's file names
   std::vector<std::string> unusedFiles; ///< what the upload held besides, with the reason

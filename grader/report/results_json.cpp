@@ -72,6 +72,13 @@ Json testOf(const Item& item, std::size_t number) {
 std::string summary(const Result& view) {
   std::string text = headline(view) + "\n";
   if (!view.detail.empty()) text += sanitize(view.detail) + "\n";
+  for (const Diagnosis& diagnosis : view.diagnoses) {
+    text += "\nDiagnosis: " + sanitizeLine(diagnosis.text, 800) + "\n";
+    if (const std::string seen = whatIsWrong(diagnosis); !seen.empty())
+      text += "First wrong: " + seen + "\n";
+    if (!diagnosis.step.empty()) text += "Read again: " + sanitizeLine(diagnosis.step) + "\n";
+    for (const std::string& line : diagnosis.beside) text += sanitizeLine(line) + "\n";
+  }
   for (const std::string& file : view.unusedFiles) text += "Not used: " + sanitizeLine(file) + "\n";
   if (!view.compilerOutput.empty())
     text += "\nCompiler:\n" + capped(sanitize(view.compilerOutput), kCompilerBytes);
@@ -92,6 +99,7 @@ Json extraData(const Result& result) {
                {"fingerprint", Json::object()},
                {"thresholds", Json::object()},
                {"timings", Json::object()},
+               {"diagnoses", Json::array()},
                {"items", Json::array()},
                {"scenes", Json::array()},
                {"unused_files", Json::array()}};
@@ -101,6 +109,16 @@ Json extraData(const Result& result) {
     data["thresholds"][sanitizeLine(key)] = value(number);
   for (const Timing& timing : result.timings)
     data["timings"][sanitizeLine(timing.what)] = value(timing.seconds);
+  for (const Diagnosis& diagnosis : result.diagnoses)
+    data["diagnoses"].push_back({{"part", sanitizeLine(diagnosis.part)},
+                                 {"id", sanitizeLine(diagnosis.id)},
+                                 {"confidence", value(diagnosis.confidence)},
+                                 {"text", sanitizeLine(diagnosis.text, 800)},
+                                 {"step", sanitizeLine(diagnosis.step)},
+                                 {"picture", sanitizeLine(diagnosis.picture)},
+                                 {"amount", sanitizeLine(diagnosis.amount)},
+                                 {"scene", sanitizeLine(diagnosis.scene)},
+                                 {"place", sanitizeLine(diagnosis.place)}});
   for (const Item& item : result.items) {
     Json credits = Json::object();
     for (const auto& [scene, credit] : item.credits) credits[sanitizeLine(scene)] = value(credit);

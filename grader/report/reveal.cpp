@@ -27,12 +27,29 @@ bool isPublicScene(const Result& result, std::string_view name) {
                      [&](const Scene& s) { return s.isPublic && s.name == name; });
 }
 
+// Is the message about the public scene? It begins with the scene that lost most (see
+// rubric::decide), and no message of a hidden scene begins with the public one's name.
+bool speaksOfPublicScene(const Result& result, const Item& item) {
+  return std::any_of(item.credits.begin(), item.credits.end(), [&](const auto& credit) {
+    return credit.second < 1 && isPublicScene(result, credit.first) &&
+           item.message.starts_with(credit.first + ": ");
+  });
+}
+
 // Could what was seen have been seen in a hidden scene? Without credits nobody can tell.
 bool speaksOfHiddenScene(const Result& result, const Item& item) {
+  if (speaksOfPublicScene(result, item)) return false;
   return item.credits.empty() ||
          std::any_of(item.credits.begin(), item.credits.end(), [&](const auto& credit) {
            return credit.second < 1 && !isPublicScene(result, credit.first);
          });
+}
+
+// The name in the catalogue is the instructor's at every level.
+Diagnosis reduced(Diagnosis diagnosis, const Result& result, Reveal reveal) {
+  diagnosis.id.clear();
+  if (reveal != Reveal::details && !isPublicScene(result, diagnosis.scene)) diagnosis.place.clear();
+  return diagnosis;
 }
 
 Item reduced(Item item, const Result& result, Reveal reveal) {
@@ -129,6 +146,10 @@ Result studentView(const Result& result, Reveal reveal, bool pictures) {
   view.bonus = result.bonus;
   view.maxScore = result.maxScore;
   for (const Item& item : result.items) view.items.push_back(reduced(item, result, reveal));
+  // Without a scene it says no more than the outcome.
+  for (const Diagnosis& diagnosis : result.diagnoses)
+    if (reveal != Reveal::none || diagnosis.scene.empty())
+      view.diagnoses.push_back(reduced(diagnosis, result, reveal));
   for (const Scene& scene : result.scenes)
     if (scene.isPublic || reveal != Reveal::none)
       view.scenes.push_back(reduced(scene, reveal, pictures));

@@ -12,8 +12,8 @@ namespace ggrade::report {
 /// Each level shows what the one before it shows, and more.
 enum class Reveal {
   none,   ///< titles and points of the items; nothing of a hidden scene
-  names,  ///< names of hidden scenes and what happened there, credits, messages without positions,
-          ///< cause, step
+  names,  ///< names of hidden scenes and what happened there, credits, messages without the
+          ///< positions in hidden scenes, cause, step, diagnosis
   details ///< pictures and positions, too
 };
 
@@ -22,10 +22,10 @@ std::optional<Reveal> parseReveal(std::string_view word);
 
 /// The part of `result` that a student may read at this level. Every text and picture for students
 /// is made from this copy and from nothing else. Gone at every level: the seed (it makes the hidden
-/// scenes), timings, and what the program printed in hidden scenes. Below `details` also gone: all
-/// text of a hidden run that the program can write into (GL messages, evidence), because it can
-/// read the scene.
-/// \param pictures false leaves out all frames: copying them takes most of the time
+/// scenes), timings, the diagnosis' name in the catalogue, and what the program printed in hidden
+/// scenes. Below `details` also gone: all text of a hidden run that the program can write into (GL
+/// messages, evidence), because it can read the scene. \param pictures false leaves out all frames:
+/// copying them takes most of the time
 Result studentView(const Result& result, Reveal reveal, bool pictures = true);
 
 /// Replaces bracketed coordinates, such as `(212, 340)` or `[0.1,2]`, by `(position withheld)`.

@@ -63,6 +63,15 @@ std::string carriedText(const Item& item) {
   return list.empty() ? "" : fmt::format("Judged with the reference's {} in place of yours.", list);
 }
 
+std::string whatIsWrong(const Diagnosis& diagnosis) {
+  std::string text = sanitizeLine(diagnosis.picture);
+  if (text.empty()) return text;
+  if (!diagnosis.amount.empty()) text += ": " + sanitizeLine(diagnosis.amount);
+  if (!diagnosis.place.empty()) text += ", " + sanitizeLine(diagnosis.place);
+  if (!diagnosis.scene.empty()) text += fmt::format(" (scene {})", sanitizeLine(diagnosis.scene));
+  return text;
+}
+
 std::vector<const Item*> worstItems(const Result& result, std::size_t count) {
   std::vector<const Item*> worst;
   if (!scored(result.outcome)) return worst;
@@ -105,7 +114,10 @@ FrameIndex worstFrame(const Result& result) {
 namespace {
 
 std::string reasonOf(const Result& result) {
-  if (!scored(result.outcome) || !result.detail.empty()) return sanitizeLine(result.detail);
+  if (!scored(result.outcome)) return sanitizeLine(result.detail);
+  for (const Diagnosis& diagnosis : result.diagnoses)
+    if (diagnosis.confidence > 0) return sanitizeLine(diagnosis.text);
+  if (!result.detail.empty()) return sanitizeLine(result.detail);
   const auto worst = worstItems(result, 1);
   if (worst.empty()) return "";
   const std::string message = sanitizeLine(worst[0]->message);

@@ -33,6 +33,10 @@ std::string headline(const Result& result);
 /// carried forward.
 std::string carriedText(const Item& item);
 
+/// The first wrong picture with how much of it is wrong, and where: "the texture that objects are
+/// drawn into: 31% of it differs, around (212, 340) of 1024x1024 (scene public)". Empty if unknown.
+std::string whatIsWrong(const Diagnosis& diagnosis);
+
 /// Gain and keep items that lost points, most points first, at most `count`. Empty unless scored.
 std::vector<const Item*> worstItems(const Result& result, std::size_t count);
 
@@ -52,7 +56,7 @@ struct Summary {
   Outcome outcome = Outcome::notGradable;
   bool perfect = false;
   std::string headline;
-  std::string reason; ///< what lost most, or the evidence; may be empty
+  std::string reason; ///< the diagnosis, what lost most, or the evidence; may be empty
   double score = 0, bonus = 0, maxScore = 0;
   Image thumbnail;  ///< the submission's worst frame, at most 224 x 168 pixels; may be empty
   std::string link; ///< path of the result's page, relative to the list's; empty: no link

@@ -108,6 +108,24 @@ std::string itemLines(const Item& item, const TerminalStyle& style, std::size_t 
   return text;
 }
 
+std::string diagnosisLines(const Diagnosis& diagnosis, std::size_t width) {
+  std::string text = wrap(sanitizeLine(diagnosis.text, 800), 2, width);
+  if (const std::string seen = whatIsWrong(diagnosis); !seen.empty())
+    text += wrap("first wrong: " + seen, 2, width);
+  if (!diagnosis.step.empty())
+    text += wrap("read again: " + sanitizeLine(diagnosis.step), 2, width);
+  for (const std::string& line : diagnosis.beside) text += wrap(sanitizeLine(line), 2, width);
+  return text;
+}
+
+std::string diagnosisHeading(const Result& result, const Diagnosis& diagnosis) {
+  std::string text = "Diagnosis";
+  if (result.diagnoses.size() > 1) text += " of " + sanitizeLine(diagnosis.part);
+  if (diagnosis.confidence > 0)
+    text += fmt::format(" (confidence {}%)", number(diagnosis.confidence * 100, 0));
+  return text;
+}
+
 } // namespace
 
 std::string terminalTable(const Result& result, const TerminalStyle& style) {
@@ -120,6 +138,9 @@ std::string terminalTable(const Result& result, const TerminalStyle& style) {
   text += wrap(sanitizeLine(result.detail), 0, width);
   if (result.sandbox == "none")
     text += paint(style, kYellow, "The program ran without a sandbox.") + "\n";
+  for (const Diagnosis& diagnosis : result.diagnoses)
+    text += paint(style, kBold, diagnosisHeading(result, diagnosis)) + "\n" +
+            diagnosisLines(diagnosis, width);
   text += "\n";
   for (const Item& item : result.items) text += itemLines(item, style, width);
   for (const std::string& file : result.unusedFiles)

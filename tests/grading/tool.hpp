@@ -106,6 +106,9 @@ struct Graded {
   std::string text() const; ///< "graded, 78.6 + 0", for messages
 };
 
+/// Among further arguments: grade with a diagnosis, which is left out otherwise.
+inline const std::string kDiagnosed = "(with a diagnosis)";
+
 /// Grades for part `mirror`; a failure of the tool is a failure of the test.
 Graded grade(const Submission& submission, const Arguments& more = {},
              const Environment& environment = {});

@@ -88,6 +88,49 @@ TEST(Reveal, PositionsOfThePublicSceneStay) {
   EXPECT_THAT(studentText(result, Reveal::names), HasSubstr("densest at (212, 340)"));
 }
 
+TEST(Reveal, AMessageAboutThePublicSceneKeepsItsPositionsWhateverHappensElsewhere) {
+  Result result = samples::partial(64, 48);
+  Item& item = result.items[1];
+  item.message = "public: densest at (212, 340)";
+  item.credits = {{"public", 0.1}, {"hidden-low", 0.5}};
+  EXPECT_THAT(studentText(result, Reveal::names), HasSubstr("densest at (212, 340)"));
+  item.message = "hidden-low: densest at (212, 340)";
+  EXPECT_THAT(studentText(result, Reveal::names), Not(HasSubstr("212")));
+  item.message = "public: densest at (212, 340)";
+  item.credits = {{"public", 1}, {"hidden-low", 0.5}};
+  EXPECT_THAT(studentText(result, Reveal::names), Not(HasSubstr("212")));
+}
+
+TEST(Reveal, DiagnosisHasNoPositionOfAHiddenSceneAndNeverItsName) {
+  Result result = samples::partial(64, 48);
+  Diagnosis diagnosis;
+  diagnosis.part = "mirror";
+  diagnosis.text = "Your reflection matches what happens when the light is not mirrored.";
+  diagnosis.step = "Step 4: draw the mirrored scene";
+  diagnosis.confidence = 0.97;
+  diagnosis.picture = "the texture that objects are drawn into";
+  diagnosis.amount = "31% of it differs";
+  diagnosis.scene = "hidden-low";
+  diagnosis.place = "around (777, 333) of 1024x1024";
+  diagnosis.beside = {"floor.cpp:280:5: warning: multi-line comment"};
+  diagnosis.id = "mirror_light_not_mirrored";
+  result.diagnoses = {diagnosis};
+  for (const Reveal reveal : {Reveal::none, Reveal::names, Reveal::details})
+    EXPECT_THAT(studentText(result, reveal), Not(HasSubstr("mirror_light_not_mirrored")));
+  EXPECT_THAT(studentText(result, Reveal::none), Not(HasSubstr("when the light is not mirrored")));
+  const std::string names = studentText(result, Reveal::names);
+  for (const char* shown : {"when the light is not mirrored", "97%", "Step 4: draw the mirrored",
+                            "31% of it differs", "hidden-low", "multi-line comment"})
+    EXPECT_THAT(names, HasSubstr(shown)) << shown;
+  EXPECT_THAT(names, Not(HasSubstr("777")));
+  EXPECT_THAT(studentText(result, Reveal::details), HasSubstr("around (777, 333) of 1024x1024"));
+  EXPECT_THAT(resultPages(result, Reveal::none).index, HasSubstr("mirror_light_not_mirrored"));
+  result.diagnoses[0].scene = "public";
+  EXPECT_THAT(studentText(result, Reveal::names), HasSubstr("around (777, 333) of 1024x1024"));
+  result.diagnoses[0].scene.clear(); // an outcome, which everybody may know
+  EXPECT_THAT(studentText(result, Reveal::none), HasSubstr("when the light is not mirrored"));
+}
+
 TEST(Reveal, EvidenceOfAHiddenCrashMayQuoteTheProgram) {
   Result result = samples::crashed();
   result.detail = "hidden-low: what(): camera at 1.25";

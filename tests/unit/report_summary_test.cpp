@@ -56,6 +56,33 @@ TEST(Summary, StandingTellsGainKeepAndBonusApart) {
   EXPECT_EQ(pointsText(item), "−10");
 }
 
+TEST(Terminal, BeginsWithTheDiagnosis) {
+  Result result = samples::partial(16, 12);
+  result.diagnoses = {{"mirror",
+                       "The light is not mirrored.",
+                       "Step 4: draw the mirrored scene",
+                       0.968,
+                       "the window, frame 1",
+                       "31% of it differs",
+                       "public",
+                       "around (3, 4) of 16x12",
+                       {"a.cpp:1:1: warning"},
+                       "light"}};
+  const std::string table = terminalTable(result, {false, 100});
+  EXPECT_THAT(table,
+              HasSubstr("Diagnosis (confidence 97%)\n"
+                        "  The light is not mirrored.\n"
+                        "  first wrong: the window, frame 1: 31% of it differs, around (3, 4) "
+                        "of 16x12 (scene public)\n"
+                        "  read again: Step 4: draw the mirrored scene\n"
+                        "  a.cpp:1:1: warning\n"));
+  EXPECT_LT(table.find("Diagnosis"), table.find(result.items[0].title));
+  EXPECT_EQ(summarize(result).reason, "The light is not mirrored.");
+  result.diagnoses[0].confidence = 0;
+  EXPECT_THAT(terminalTable(result, {false, 100}), HasSubstr("Diagnosis\n"));
+  EXPECT_NE(summarize(result).reason, "The light is not mirrored.");
+}
+
 TEST(Summary, PerfectIgnoresTheBonusButNotKeepItems) {
   Result result = samples::perfect(16, 12);
   result.items.back().earned = 0;

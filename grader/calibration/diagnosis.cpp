@@ -1,0 +1,271 @@
+#include "calibration/diagnosis.hpp"
+
+#include "grading/catalogue.hpp"
+#include "grading/diagnoser.hpp"
+#include "grading/grade.hpp"
+#include "grading/judge_server.hpp"
+#include "grading/patched.hpp"
+#include "report/summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <mutex>
+
+namespace ggrade::calibration {
+
+namespace fs = std::filesystem;
+using grading::Answer;
+using grading::Catalogue;
+using grading::Mistake;
+
+namespace {
+
+/// A mistake in one of the programs that it is made in.
+struct Made {
+  const Mistake* mistake;
+  std::string variant;
+  fs::path folder;
+};
+
+/// Are these one diagnosis by name?
+bool sameName(const Catalogue& catalogue, const std::string& a, const std::string& b) {
+  const auto group = [&](const std::string& name) {
+    const Mistake* mistake = catalogue.mistake(name);
+    return mistake && !mistake->same.empty() ? mistake->same : name;
+  };
+  return group(a) == group(b);
+}
+
+class Measurement {
+public:
+  Measurement(const Target& target, const fs::path& solutionFolder, const DiagnosisOptions& options)
+      : target_(target), part_(target.parts.at(0)), solutionFolder_(solutionFolder),
+        options_(options), catalogue_(grading::loadCatalogue(target.assignment, part_,
+                                                             solutionFolder, solutionFolder)) {
+    figures_.part = part_.id;
+    figures_.seeds = options.seeds;
+  }
+
+  DiagnosisFigures run() {
+    makeAll();
+    total_ = made_.size() * options_.seeds.size();
+    for (const std::uint64_t seed : options_.seeds) runSeed(seed);
+    std::ranges::sort(figures_.cases, {}, [](const DiagnosisCase& one) {
+      return std::tuple(one.mistake, one.variant, one.seed, one.leftOut);
+    });
+    return std::move(figures_);
+  }
+
+private:
+  void makeAll() {
+    std::size_t first = 0;
+    for (const Mistake& mistake : catalogue_.mistakes) {
+      if (!options_.only.empty() &&
+          std::ranges::find(options_.only, mistake.name) == options_.only.end())
+        continue;
+      make(mistake, "", {mistake.patch});
+      // Others each time, so that all of them have their turn.
+      std::size_t applied = 0;
+      const std::size_t count = catalogue_.variants.size();
+      for (std::size_t i = 0; i < count && applied < options_.variants; ++i) {
+        const auto& variant = catalogue_.variants[(first + i) % count];
+        if (!variant.loses.empty()) continue; // it loses points of its own
+        if (make(mistake, variant.name, {variant.patch, mistake.patch})) ++applied;
+      }
+      first += options_.variants;
+      if (applied == 0) figures_.notApplied.push_back(mistake.name);
+    }
+  }
+
+  bool make(const Mistake& mistake, const std::string& variant,
+            const std::vector<fs::path>& patches) {
+    const fs::path folder = work_.path() / std::to_string(tried_++);
+    try {
+      grading::writePatched(target_.assignment, solutionFolder_, patches, folder);
+    } catch (const UsageError&) {
+      return false;
+    }
+    made_.push_back({&mistake, variant, folder});
+    return true;
+  }
+
+  void runSeed(std::uint64_t seed) {
+    const grading::ScenePlan plan = grading::drawScenes(target_, solutionFolder_, &seed);
+    const auto quiet = [](const auto&, auto, auto) {};
+    const grading::References references =
+        grading::prepareReferences(target_, solutionFolder_, plan, quiet);
+    grading::JudgeServer server(target_, references.scenes);
+    grading::inParallel(made_.size(), options_.jobs, [&](std::size_t i) {
+      if (grading::interrupted) throw grading::Interrupted{};
+      examine(made_[i], plan, references, server);
+      const std::lock_guard lock(mutex_);
+      ++done_;
+      if (options_.progress) options_.progress("diagnosis", done_, total_);
+    });
+  }
+
+  void examine(const Made& made, const grading::ScenePlan& plan,
+               const grading::References& references, grading::JudgeServer& server) {
+    grading::GradeOptions how;
+    how.upload = made.folder;
+    how.pictures = false;
+    how.threads = 1;
+    how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem) {
+      return server.judge(scenes, work, problem);
+    };
+    const auto quiet = [](const auto&, auto, auto) {};
+    how.examining = [&](const grading::Submitted& submitted, report::Result& result) {
+      if (const auto observed = diagnosis::outcomeDiagnosis(result, submitted.facts);
+          observed &&
+          (!report::scored(result.outcome) || result.outcome == report::Outcome::graded)) {
+        for (const bool leftOut : {false, true})
+          add({made.mistake->name, made.variant, plan.seed, leftOut, observed->id, 1,
+               Answered::right});
+        return;
+      }
+      grading::Diagnoser diagnoser(target_, part_, solutionFolder_, plan, references, quiet);
+      const grading::Shown shown = grading::shown(submitted.folders);
+      const std::vector<std::string> lost = grading::lostItems(result, part_);
+      if (!report::scored(result.outcome) || lost.empty()) return;
+      for (const bool leftOut : {false, true}) {
+        const std::set<std::string> without =
+            leftOut ? std::set<std::string>{made.mistake->name} : std::set<std::string>{};
+        const Answer answer = diagnoser.answer(lost, shown, without, options_.thresholds);
+        add({made.mistake->name, made.variant, plan.seed, leftOut, answer.id, answer.confidence,
+             worth(*made.mistake, answer, diagnoser, lost)});
+      }
+    };
+    grading::Built built = grading::buildSubmission(target_, how);
+    grading::gradeBuilt(target_, plan, references, built, how);
+  }
+
+  Answered worth(const Mistake& mistake, const Answer& answer, grading::Diagnoser& diagnoser,
+                 const std::vector<std::string>& lost) {
+    if (answer.id.empty()) return Answered::unknown;
+    if (answer.generic) return Answered::generic;
+    std::vector<std::string> names = answer.alike;
+    names.push_back(answer.id);
+    for (const std::string& name : names)
+      if (sameName(catalogue_, name, mistake.name)) return Answered::right;
+    // "Step 5 can't be seen yet" is true of a mistake in step 5.
+    if (answer.id.starts_with("step.") &&
+        part_.todos.at(std::stoul(answer.id.substr(5))).id == mistake.step)
+      return Answered::right;
+    // What shows the same can't be told apart: with both known they are one diagnosis.
+    return diagnoser.showTheSame(mistake.name, answer.id, lost, options_.thresholds)
+               ? Answered::right
+               : Answered::wrong;
+  }
+
+  void add(DiagnosisCase one) {
+    const std::lock_guard lock(mutex_);
+    figures_.cases.push_back(std::move(one));
+  }
+
+  const Target& target_;
+  const Part& part_;
+  const fs::path& solutionFolder_;
+  const DiagnosisOptions& options_;
+  Catalogue catalogue_;
+  grading::TemporaryFolder work_;
+  std::vector<Made> made_;
+  std::mutex mutex_;
+  std::size_t tried_ = 0, done_ = 0, total_ = 0;
+  DiagnosisFigures figures_;
+};
+
+} // namespace
+
+std::string_view name(Answered answered) {
+  switch (answered) {
+  case Answered::right:
+    return "right";
+  case Answered::generic:
+    return "generic";
+  case Answered::unknown:
+    return "unknown";
+  case Answered::wrong:
+    break;
+  }
+  return "wrong";
+}
+
+std::array<std::size_t, 4> DiagnosisFigures::counts(bool leftOut) const {
+  std::array<std::size_t, 4> all{};
+  for (const DiagnosisCase& one : cases)
+    if (one.leftOut == leftOut) ++all[std::size_t(one.worth)];
+  return all;
+}
+
+double DiagnosisFigures::rightShare() const {
+  std::size_t right = 0, all = 0;
+  for (const DiagnosisCase& one : cases) {
+    if (one.leftOut || one.variant.empty()) continue;
+    ++all;
+    if (one.worth == Answered::right) ++right;
+  }
+  return all ? double(right) / double(all) : 0;
+}
+
+double DiagnosisFigures::wrongShare() const {
+  const auto all = counts(true);
+  const std::size_t sum = all[0] + all[1] + all[2] + all[3];
+  return sum ? double(all[std::size_t(Answered::wrong)]) / double(sum) : 0;
+}
+
+DiagnosisFigures measureDiagnosis(const Target& target, const fs::path& solutionFolder,
+                                  const DiagnosisOptions& options) {
+  return Measurement(target, solutionFolder, options).run();
+}
+
+Section sectionOf(const DiagnosisFigures& figures) {
+  const auto known = figures.counts(false), leftOut = figures.counts(true);
+  const auto text = [](const std::array<std::size_t, 4>& counts) {
+    return fmt::format("{} right, {} generic, {} unknown, {} wrong", counts[0], counts[1],
+                       counts[2], counts[3]);
+  };
+  Section section;
+  section.title = "Diagnosis";
+  section.text = fmt::format(
+      "Every mistake was made in the reference and in right answers written in another way, with "
+      "seeds {}, which the thresholds were not chosen on. Made in another way, its first diagnosis "
+      "was right in {:.1f}% (wanted: at least {:.0f}%); all: {}. With its own signature left out "
+      "it was given a wrong name in {:.1f}% (wanted: at most {:.0f}%): {}. Right is also a mistake "
+      "that shows the same in every pass, and what was observed without pictures. Generic is a "
+      "change of the picture that was measured, such as a scale. Below: what wasn't right.",
+      fmt::join(figures.seeds, ", "), 100 * figures.rightShare(), 100 * kRightAnswers, text(known),
+      100 * figures.wrongShare(), 100 * kWrongAnswers, text(leftOut));
+  section.columns = {"mistake", "made in", "seed", "its signature", "answer", "confidence", ""};
+  for (const DiagnosisCase& one : figures.cases) {
+    // An unknown mistake is rightly called unknown.
+    const bool asItShould =
+        one.worth == Answered::right || (one.leftOut && one.worth != Answered::wrong);
+    if (asItShould) continue;
+    section.rows.push_back({one.mistake, one.variant.empty() ? "the reference" : one.variant,
+                            std::to_string(one.seed), one.leftOut ? "left out" : "known",
+                            one.answer.empty() ? "unknown" : one.answer,
+                            fmt::format("{:.2f}", one.confidence), std::string(name(one.worth))});
+  }
+  return section;
+}
+
+nlohmann::json toJson(const DiagnosisFigures& figures) {
+  nlohmann::json cases = nlohmann::json::array();
+  for (const DiagnosisCase& one : figures.cases)
+    cases.push_back({{"mistake", one.mistake},
+                     {"variant", one.variant},
+                     {"seed", one.seed},
+                     {"left_out", one.leftOut},
+                     {"answer", one.answer},
+                     {"confidence", one.confidence},
+                     {"worth", name(one.worth)}});
+  return {{"seeds", figures.seeds},
+          {"right_share", figures.rightShare()},
+          {"wrong_share", figures.wrongShare()},
+          {"not_applied", figures.notApplied},
+          {"cases", cases}};
+}
+
+} // namespace ggrade::calibration

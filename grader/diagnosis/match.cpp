@@ -1,0 +1,263 @@
+#include "diagnosis/match.hpp"
+
+#include "image/compare.hpp"
+#include "image/neighbourhood.hpp"
+#include "image/window.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace ggrade::diagnosis {
+
+namespace {
+
+/// A difference of values from which on a pixel is as wrong as can be: beyond it, where something
+/// is wrong says more than by how much.
+constexpr float kWhole = 0.15f;
+/// Less than this share of a picture is no difference.
+constexpr double kNothing = 2e-4;
+/// A picture is wrong from this share of it on.
+constexpr double kWrong = 1e-3;
+/// Side of the window that is searched for most of what is wrong, in pixels of reduced pictures.
+constexpr int kWindow = 12;
+/// What all passes of a scene count together, where its windows count 1.
+constexpr double kPasses = 0.6;
+
+float beyond(float value, float low, float high) {
+  return std::max({0.0f, low - value, value - high});
+}
+
+using Distances = std::vector<float>;
+
+double mean(const Distances& distances) {
+  return distances.empty()
+             ? 0
+             : std::accumulate(distances.begin(), distances.end(), 0.0) / double(distances.size());
+}
+
+/// One picture of the reference with the same ones of two runs.
+struct Cell {
+  const Image* reference;
+  const Image* a;
+  const Image* b;
+  bool window;
+  Slot slot;
+};
+
+const Image* pictureAt(const SceneViews& scene, const Slot& slot) {
+  const PassView* found = scene.find(slot);
+  return found ? &found->picture : nullptr;
+}
+
+const Image* windowAt(const SceneViews& scene, std::size_t frame) {
+  return frame < scene.windows.size() ? &scene.windows[frame] : nullptr;
+}
+
+std::vector<Cell> cellsOf(const SceneViews& reference, const SceneViews& a, const SceneViews& b) {
+  std::vector<Cell> cells;
+  for (const PassView& pass : reference.passes)
+    cells.push_back(
+        {&pass.picture, pictureAt(a, pass.slot), pictureAt(b, pass.slot), false, pass.slot});
+  for (std::size_t i = 0; i < reference.windows.size(); ++i)
+    cells.push_back({&reference.windows[i], windowAt(a, i), windowAt(b, i), true, {}});
+  return cells;
+}
+
+bool equal(const Image* a, const Image* b) {
+  return a == b || (a && b && sameSize(*a, *b) && std::ranges::equal(a->values(), b->values()));
+}
+
+/// The slots of all scenes, in the order in which they are made.
+std::vector<Slot> slotsOf(const Run& reference) {
+  std::vector<Slot> slots;
+  for (const SceneViews& scene : reference)
+    for (const PassView& pass : scene.passes)
+      if (std::ranges::find(slots, pass.slot) == slots.end()) slots.push_back(pass.slot);
+  return slots;
+}
+
+/// Adds up what is wrong, and what of it is wrong in another way.
+struct Sum {
+  double weight = 0, like = 0;
+
+  void add(double wrong, double unlike, double times = 1) {
+    if (wrong < kNothing) return;
+    // A small fault counts less than a large one, but its noise is larger.
+    const double w = times * std::sqrt(wrong);
+    weight += w;
+    like += w * (1 - unlike / wrong);
+  }
+  double mean() const { return weight > 0 ? std::clamp(like / weight, 0.0, 1.0) : 0; }
+};
+
+} // namespace
+
+std::vector<float> distance(const Image* a, const Image* b) {
+  if (!a && !b) return {};
+  if (!a || !b) return Distances((a ? a : b)->pixelCount(), 1.0f);
+  if (a->channels() != b->channels()) return Distances(a->pixelCount(), 1.0f);
+  const Image fitted = resized(*b, a->width(), a->height());
+  const auto channels = std::size_t(a->channels());
+  Distances distances;
+  distances.reserve(a->pixelCount());
+  NeighbourhoodRows around(*a, 1), aroundFitted(fitted, 1);
+  for (int y = 0; y < a->height(); ++y) {
+    around.moveTo(y);
+    aroundFitted.moveTo(y);
+    const auto rowA = a->row(y), rowB = fitted.row(y);
+    for (std::size_t i = 0; i < rowA.size(); i += channels) {
+      float most = 0;
+      for (std::size_t c = i; c < i + channels; ++c)
+        most = std::max({most, beyond(rowA[c], aroundFitted.low()[c], aroundFitted.high()[c]),
+                         beyond(rowB[c], around.low()[c], around.high()[c])});
+      distances.push_back(std::clamp((most - kTolerance) / (kWhole - kTolerance), 0.0f, 1.0f));
+    }
+  }
+  return distances;
+}
+
+std::optional<FirstWrong> firstWrong(const Run& student, const Run& reference) {
+  std::optional<FirstWrong> first;
+  const auto consider = [&](std::size_t scene, std::optional<Slot> slot, std::size_t frame,
+                            const Image* ours, const Image& theirs, int width, int height) {
+    const Distances distances = distance(&theirs, ours);
+    const double wrong = mean(distances);
+    if (wrong < kWrong || (first && wrong <= first->share)) return;
+    FirstWrong found{scene, slot, frame, ours == nullptr, wrong, 0.5, 0.5, width, height};
+    Mask wrongPixels(theirs.width(), theirs.height());
+    for (int y = 0; y < theirs.height(); ++y)
+      for (int x = 0; x < theirs.width(); ++x)
+        wrongPixels.set(
+            x, y, distances[std::size_t(y) * std::size_t(theirs.width()) + std::size_t(x)] > 0.3f);
+    if (const Window window = densestWindow(wrongPixels, kWindow); window.pixels > 0) {
+      found.x = (window.middleX + 0.5) / theirs.width();
+      found.y = (window.middleY + 0.5) / theirs.height();
+    }
+    first = found;
+  };
+  for (const Slot& slot : slotsOf(reference)) {
+    for (std::size_t i = 0; i < reference.size(); ++i)
+      if (const Image* theirs = pictureAt(reference[i], slot)) {
+        const PassView* ours = student[i].find(slot);
+        consider(i, slot, 0, ours ? &ours->picture : nullptr, *theirs, ours ? ours->width : 0,
+                 ours ? ours->height : 0);
+      }
+    if (first) return first;
+  }
+  for (std::size_t i = 0; i < reference.size(); ++i)
+    for (std::size_t frame = 0; frame < reference[i].windows.size(); ++frame)
+      consider(i, std::nullopt, frame, windowAt(student[i], frame), reference[i].windows[frame],
+               student[i].width, student[i].height);
+  return first;
+}
+
+namespace {
+
+/// From the reference to a, to b, and from a to b; all at the reference's size.
+struct ThreeWays {
+  Distances ours, theirs, between;
+};
+
+ThreeWays threeWays(const Cell& cell) {
+  const Distances none(cell.reference->pixelCount(), 0.0f);
+  const bool rightA = equal(cell.a, cell.reference), rightB = equal(cell.b, cell.reference);
+  ThreeWays ways{rightA ? none : distance(cell.reference, cell.a),
+                 rightB ? none : distance(cell.reference, cell.b),
+                 {}};
+  if (rightA || rightB) {
+    ways.between = rightA ? ways.theirs : ways.ours;
+  } else if (cell.a && cell.b) {
+    const Image at = resized(*cell.a, cell.reference->width(), cell.reference->height());
+    ways.between = distance(&at, cell.b);
+  } else {
+    ways.between.assign(none.size(), cell.a || cell.b ? 1.0f : 0.0f);
+  }
+  return ways;
+}
+
+} // namespace
+
+Likeness likeness(const Run& student, const Run& signature, const Run& reference) {
+  /// One pass over all scenes.
+  struct Pass {
+    Slot slot;
+    double ours = 0, theirs = 0; ///< most that is wrong in a scene
+    Sum sum;
+  };
+  Sum windows, all;
+  std::vector<Pass> slots;
+  for (const Slot& slot : slotsOf(reference)) slots.push_back({slot, 0, 0, {}});
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    const std::vector<Cell> cells = cellsOf(reference[i], student[i], signature[i]);
+    const auto passes = std::ranges::count_if(cells, [](const Cell& cell) { return !cell.window; });
+    for (const Cell& cell : cells) {
+      if (equal(cell.a, cell.reference) && equal(cell.b, cell.reference)) continue;
+      const auto [ours, theirs, between] = threeWays(cell);
+      double wrong = 0;
+      for (std::size_t p = 0; p < ours.size(); ++p) wrong += double(std::max(ours[p], theirs[p]));
+      wrong /= double(ours.size());
+      const double unlike = mean(between);
+      if (cell.window) {
+        windows.add(wrong, unlike);
+        all.add(wrong, unlike);
+        continue;
+      }
+      all.add(wrong, unlike, kPasses / double(passes));
+      const auto pass = std::ranges::find(slots, cell.slot, &Pass::slot);
+      pass->ours = std::max(pass->ours, mean(ours));
+      pass->theirs = std::max(pass->theirs, mean(theirs));
+      pass->sum.add(wrong, unlike);
+    }
+  }
+  // Among what either has wrong, the first pass must be wrong in both.
+  const auto first = std::ranges::find_if(
+      slots, [](const Pass& pass) { return pass.ours >= kWrong || pass.theirs >= kWrong; });
+  const bool both = first != slots.end() && first->ours >= kWrong && first->theirs >= kWrong;
+  return {windows.mean(), all.mean(), both ? first->sum.mean() : 0};
+}
+
+std::optional<Identified> KnownFaults::identify(const Run& student, const Thresholds& thresholds,
+                                                const std::vector<bool>& leftOut) const {
+  std::vector<Likeness> likes(signatures.size());
+  for (std::size_t i = 0; i < signatures.size(); ++i)
+    if (i >= leftOut.size() || !leftOut[i])
+      likes[i] = likeness(student, signatures[i].run, reference);
+  const auto groupOf = [&](std::size_t i) {
+    return signatures[i].group.empty() ? signatures[i].name : signatures[i].group;
+  };
+  const auto by = [&](double Likeness::*kind, Identified::By how,
+                      double enough) -> std::optional<Identified> {
+    Identified found;
+    found.by = how;
+    for (std::size_t i = 0; i < likes.size(); ++i)
+      if (likes[i].*kind > likes[found.signature].*kind) found.signature = i;
+    if (likes.empty()) return std::nullopt;
+    found.likeness = likes[found.signature].*kind;
+    if (found.likeness < enough) return std::nullopt;
+    const double least = 1 - (1 - found.likeness) / thresholds.margin;
+    for (std::size_t i = 0; i < likes.size(); ++i) {
+      if (i == found.signature) continue;
+      // Only what is near enough to matter is worth comparing.
+      if (groupOf(i) == groupOf(found.signature) ||
+          (likes[i].*kind > least - 0.05 &&
+           likeness(signatures[found.signature].run, signatures[i].run, reference).all >=
+               thresholds.same))
+        found.alike.push_back(i);
+      else
+        found.next = std::max(found.next, likes[i].*kind);
+    }
+    const double unlike = (1 - found.likeness) / std::max(1 - found.next, 1e-9);
+    if (unlike > thresholds.margin) return std::nullopt;
+    found.confidence = found.likeness * (1 - unlike);
+    return found;
+  };
+  if (auto found = by(&Likeness::all, Identified::By::everything, thresholds.like)) return found;
+  if (auto found = by(&Likeness::windows, Identified::By::windows, thresholds.like)) {
+    const auto first = firstWrong(signatures[found->signature].run, reference);
+    if (!first || !first->slot || likes[found->signature].first >= 0.5) return found;
+  }
+  return by(&Likeness::first, Identified::By::firstPass, thresholds.firstLike);
+}
+
+} // namespace ggrade::diagnosis

@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// Faults that need no picture to be told: nothing came, or nothing went where it should.
+
+#include "report/results.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ggrade::diagnosis {
+
+/// What the capture counted in one frame of the public scene.
+struct FrameFacts {
+  unsigned windowDraws = 0;      ///< draws that went to the window
+  unsigned boundFramebuffer = 0; ///< at the swap; 0 is the window
+};
+
+/// What one run of a program told besides pictures.
+struct Facts {
+  std::vector<FrameFacts> frames;
+  std::vector<std::string> incomplete; ///< status of framebuffers that were drawn into in vain
+};
+
+/// The diagnosis of a result that has an outcome other than `graded`, or whose frames show nothing
+/// because nothing was drawn to the window; nothing where only pictures can tell. `result.outcome`,
+/// `.detail`, `.compilerOutput` and the scenes' messages are read.
+std::optional<report::Diagnosis> outcomeDiagnosis(const report::Result& result, const Facts& facts);
+
+/// The compiler's warnings of kinds that explain a program which does something else than it says,
+/// a line each, at most `most`: `floor.cpp:280:5: warning: multi-line comment [-Wcomment]`.
+std::vector<std::string> tellingWarnings(const std::string& compilerOutput, std::size_t most = 3);
+
+} // namespace ggrade::diagnosis

@@ -1,0 +1,148 @@
+#include "diagnosis/views.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace ggrade::diagnosis {
+
+namespace {
+
+/// A quad or triangle has six vertices at most; the smallest mesh has many more.
+constexpr std::uint64_t kMostOfAScreen = 12;
+
+float compressed(float value) {
+  if (std::isnan(value)) return -1;
+  if (value > 1) return std::min(17.0f, 1 + std::log2(value));
+  return std::max(value, -1.0f);
+}
+
+/// The share of each source pixel in each of `to` equal parts of a side of `from` pixels.
+struct Share {
+  int first = 0;
+  std::vector<float> weights;
+};
+
+std::vector<Share> shares(int from, int to) {
+  std::vector<Share> all(static_cast<std::size_t>(to));
+  for (int i = 0; i < to; ++i) {
+    const double low = double(i) * from / to, high = double(i + 1) * from / to;
+    Share& share = all[std::size_t(i)];
+    share.first = int(low);
+    for (int k = share.first; k < from && k < high; ++k)
+      share.weights.push_back(
+          float((std::min<double>(k + 1, high) - std::max<double>(k, low)) / (high - low)));
+  }
+  return all;
+}
+
+Image averaged(const Image& image, int width, int height) {
+  const int channels = image.channels();
+  const auto columns = shares(image.width(), width), rows = shares(image.height(), height);
+  Image narrow(width, image.height(), channels);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < width; ++x) {
+      const Share& share = columns[std::size_t(x)];
+      for (std::size_t k = 0; k < share.weights.size(); ++k)
+        for (int c = 0; c < channels; ++c)
+          narrow.at(x, y, c) += share.weights[k] * image.at(share.first + int(k), y, c);
+    }
+  Image out(width, height, channels);
+  for (int y = 0; y < height; ++y) {
+    const Share& share = rows[std::size_t(y)];
+    for (std::size_t k = 0; k < share.weights.size(); ++k)
+      for (std::size_t i = 0; i < out.row(y).size(); ++i)
+        out.row(y)[i] += share.weights[k] * narrow.row(share.first + int(k))[i];
+  }
+  return out;
+}
+
+/// Was a mesh drawn into this, or into what it is a blit or copy of?
+bool showsMesh(const trace::Trace& trace, const trace::PassRecord& pass) {
+  if (pass.kind == std::uint32_t(trace::PassKind::draw)) return pass.vertices > kMostOfAScreen;
+  for (const trace::StepRecord& step : trace.stepsOf(pass))
+    for (const trace::SampleRecord& sample : trace.samplesOf(step))
+      if (sample.writer != trace::kNone && trace.passes[sample.writer].vertices > kMostOfAScreen)
+        return true;
+  return false;
+}
+
+} // namespace
+
+std::string words(const Slot& slot) {
+  const std::string again = slot.nth > 0 ? fmt::format(", drawn time {}", slot.nth + 1) : "";
+  if (slot.depth && slot.mesh) return "the depth texture that objects are drawn into" + again;
+  if (slot.mesh) return "the texture that objects are drawn into" + again;
+  const std::string size =
+      slot.octave > 0 ? fmt::format("1/{} of the window's size", 1 << std::min(slot.octave, 20))
+      : slot.octave == 0
+          ? "the window's size"
+          : fmt::format("{} times the window's size", 1 << std::min(-slot.octave, 20));
+  return fmt::format("the {}texture at {}{}", slot.depth ? "depth " : "", size, again);
+}
+
+const PassView* SceneViews::find(const Slot& slot) const {
+  const auto found = std::find_if(passes.begin(), passes.end(),
+                                  [&](const PassView& pass) { return pass.slot == slot; });
+  return found == passes.end() ? nullptr : &*found;
+}
+
+Image resized(const Image& image, int width, int height) {
+  return image.width() == width && image.height() == height ? image
+                                                            : averaged(image, width, height);
+}
+
+Image reduced(const Image& image, int channels) {
+  Image seen = image.channels() == channels ? image : firstChannels(image, channels);
+  for (float& value : seen.values()) value = compressed(value);
+  const int longer = std::max(seen.width(), seen.height());
+  if (longer <= kSide) return seen;
+  const auto shorter = [&](int side) {
+    return std::max(1, int(std::lround(double(side) * kSide / longer)));
+  };
+  return averaged(seen, shorter(seen.width()), shorter(seen.height()));
+}
+
+Image stretchedDepth(const Image& depth) {
+  Image out = depth;
+  for (float& value : out.values())
+    value = std::isfinite(value) ? -std::log2(1 - std::clamp(value, 0.0f, 1.0f) + 0x1p-12f) / 12.0f
+                                 : -1.0f;
+  return out;
+}
+
+SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace) {
+  SceneViews views;
+  for (const Image& frame : frames) views.windows.push_back(reduced(frame, 3));
+  if (frames.empty()) return views;
+  views.width = frames[0].width();
+  views.height = frames[0].height();
+  if (trace.frames.empty()) return views;
+  std::map<Slot, std::int32_t> seen;
+  const auto passes = trace.passesOf(0);
+  for (std::size_t i = 0; i < passes.size(); ++i)
+    for (std::uint32_t a : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, trace::kDepth}) {
+      const trace::ImageRef& image = passes[i].images[a];
+      if (image.kind != std::uint32_t(trace::ImageKind::texture)) continue;
+      const trace::CopyRecord* copy = trace.copyOf(trace.indexOf(passes[i]), a);
+      if (!copy) continue;
+      PassView view;
+      view.slot.depth = a == trace::kDepth;
+      view.slot.mesh = showsMesh(trace, passes[i]);
+      view.width = std::int32_t(copy->width);
+      view.height = std::int32_t(copy->height);
+      if (!view.slot.mesh)
+        view.slot.octave =
+            std::int32_t(std::lround(std::log2(double(frames[0].height()) / double(copy->height))));
+      view.slot.nth = seen[view.slot]++;
+      const Image pixels = trace.image(*copy);
+      view.picture = view.slot.depth ? reduced(stretchedDepth(pixels), 1)
+                                     : reduced(pixels, std::min(pixels.channels(), 3));
+      views.passes.push_back(std::move(view));
+    }
+  return views;
+}
+
+} // namespace ggrade::diagnosis

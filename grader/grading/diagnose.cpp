@@ -1,0 +1,152 @@
+#include "grading/diagnose.hpp"
+
+#include "report/summary.hpp"
+#include "report/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ggrade::grading {
+
+using diagnosis::FirstWrong;
+using diagnosis::Identified;
+using report::Diagnosis;
+
+namespace {
+
+std::string stepHeading(const Part& part, const std::string& todo) {
+  for (std::size_t i = 0; i < part.todos.size(); ++i)
+    if (part.todos[i].id == todo) return fmt::format("Step {}: {}", i + 1, part.todos[i].title);
+  return {};
+}
+
+/// The step of the item that lost most.
+std::string stepOfWorst(const report::Result& result, const Part& part) {
+  const report::Item* worst = nullptr;
+  for (const report::Item& item : result.items)
+    if (item.id.starts_with(part.id + '.') && item.kind != report::ItemKind::bonus &&
+        report::lost(item) > 0 && (!worst || report::lost(item) > report::lost(*worst)))
+      worst = &item;
+  return worst ? worst->step : std::string();
+}
+
+/// "Step 3" of an unfinished program: the steps before it show all that it shows.
+void describeStep(const Answer& answer, const Part& part, Diagnosis& words) {
+  std::size_t done = std::stoul(answer.id.substr(5));
+  for (const std::string& other : answer.alike)
+    if (other.starts_with("step.")) done = std::max(done, std::size_t(std::stoul(other.substr(5))));
+  words.step = stepHeading(part, part.todos.at(done).id);
+  words.text =
+      done == 0 ? "Your picture is still the one of the handed-out program: nothing of this part "
+                  "can be seen yet."
+                : fmt::format("Your picture is the one of the program with {} done: what step {} "
+                              "adds can't be seen yet.",
+                              done == 1 ? "step 1" : fmt::format("steps 1 to {}", done), done + 1);
+}
+
+void describeMistake(const Answer& answer, const Part& part, const Catalogue& catalogue,
+                     Diagnosis& words) {
+  const Mistake& mistake = *catalogue.mistake(answer.id);
+  words.text = mistake.hint;
+  words.step = stepHeading(part, mistake.step);
+  std::vector<std::string> others;
+  for (const std::string& name : answer.alike)
+    if (const Mistake* other = catalogue.mistake(name);
+        other && other->same != mistake.name && mistake.same != other->name &&
+        (mistake.same.empty() || mistake.same != other->same))
+      others.push_back(other->title);
+  if (others.size() > 2) others.resize(2);
+  for (const std::string& title : others)
+    words.beside.push_back("The same is seen where this is so: " + title + ".");
+  if (answer.by == Identified::By::firstPass)
+    words.beside.push_back("Something else is wrong after it: grade again once this is right.");
+}
+
+void describePlace(const FirstWrong& first, const Submitted& submitted, Diagnosis& words) {
+  words.picture = first.slot ? diagnosis::words(*first.slot)
+                             : fmt::format("the window, frame {}", first.frame + 1);
+  words.scene = submitted.plan.scenes[first.scene].name;
+  words.amount = first.missing ? "not there" : report::percent(first.share) + " of it differs";
+  if (!first.missing && first.width > 0)
+    words.place = fmt::format("around ({}, {}) of {}x{}", std::lround(first.x * first.width),
+                              std::lround(first.y * first.height), first.width, first.height);
+}
+
+Diagnosis inWords(const Answer& answer, const Submitted& submitted, const Part& part,
+                  const Catalogue& catalogue, const report::Result& result) {
+  Diagnosis words;
+  words.part = part.id;
+  words.id = answer.id;
+  words.confidence = answer.confidence;
+  if (answer.first) describePlace(*answer.first, submitted, words);
+  if (answer.id.empty()) {
+    words.text = "What went wrong here matches no known mistake. The items below say what was "
+                 "seen and where.";
+    words.step = stepOfWorst(result, part);
+  } else if (answer.generic) {
+    std::string what = answer.of ? diagnosis::words(*answer.of) : "the window's picture";
+    what[0] = char(std::toupper(static_cast<unsigned char>(what[0])));
+    words.text = diagnosis::words(*answer.generic, what);
+    words.step = stepOfWorst(result, part);
+  } else if (answer.id.starts_with("step.")) {
+    describeStep(answer, part, words);
+  } else {
+    describeMistake(answer, part, catalogue, words);
+  }
+  return words;
+}
+
+} // namespace
+
+std::vector<std::string> lostItems(const report::Result& result, const Part& part) {
+  std::vector<std::string> lost;
+  for (const report::Item& item : result.items)
+    if (item.id.starts_with(part.id + '.') && item.judged && item.kind != report::ItemKind::bonus &&
+        report::lost(item) > 1e-6)
+      lost.push_back(item.id);
+  return lost;
+}
+
+Shown shown(const std::vector<std::filesystem::path>& folders) {
+  return {[&](std::size_t scene) { return viewsIn(folders[scene]); },
+          [&](std::size_t scene) { return framesIn(folders[scene]); }};
+}
+
+std::vector<Diagnosis> diagnose(const Target& target, const std::filesystem::path& solutionFolder,
+                                const Submitted& submitted, const report::Result& result,
+                                const Progress& progress) {
+  const auto observed = diagnosis::outcomeDiagnosis(result, submitted.facts);
+  if (!report::scored(result.outcome))
+    return observed ? std::vector{*observed} : std::vector<Diagnosis>{};
+  std::vector<Diagnosis> all;
+  for (const Part& part : target.parts) {
+    const std::vector<std::string> lost = lostItems(result, part);
+    if (lost.empty()) continue;
+    if (observed && result.outcome == report::Outcome::graded) {
+      // Seen, not concluded: no picture can be surer.
+      all.push_back(*observed);
+      all.back().part = part.id;
+      all.back().step = stepOfWorst(result, part);
+      continue;
+    }
+    Diagnoser diagnoser(target, part, solutionFolder, submitted.plan, submitted.references,
+                        progress);
+    const Answer answer = diagnoser.answer(lost, shown(submitted.folders));
+    Diagnosis words = inWords(answer, submitted, part, diagnoser.catalogue(), result);
+    if (answer.id.empty() && observed) {
+      words.id = observed->id;
+      words.text = observed->text;
+      words.confidence = observed->confidence;
+    }
+    const auto beside =
+        observed ? observed->beside : diagnosis::tellingWarnings(result.compilerOutput);
+    words.beside.insert(words.beside.end(), beside.begin(), beside.end());
+    all.push_back(std::move(words));
+  }
+  return all;
+}
+
+} // namespace ggrade::grading

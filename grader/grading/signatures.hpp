@@ -1,0 +1,37 @@
+#pragma once
+/// \file
+/// What programs with known faults show, rendered once and kept, for the diagnosis to compare with.
+
+#include "diagnosis/match.hpp"
+#include "grading/references.hpp"
+
+#include <set>
+
+namespace ggrade::grading {
+
+/// A program that is made from the solution: with patches, or with the TODOs of a part up to some
+/// step.
+struct Faulty {
+  std::string name;
+  std::string group;                          ///< see diagnosis::Signature
+  std::vector<std::filesystem::path> patches; ///< applied one after the other
+  /// Only these TODOs are filled in; nothing: all of them.
+  std::optional<std::set<std::string>> filled;
+};
+
+/// What each of `programs` shows in the scenes with these numbers of the plan, rendered in the
+/// sandbox unless it lies in the cache; an empty SceneViews where it shows nothing there. A program
+/// that can't be made any more (its patch doesn't apply) shows nothing at all: `ggrade calibrate`
+/// names it. Throws Interrupted.
+std::vector<diagnosis::Signature>
+renderSignatures(const Target& target, const std::filesystem::path& solutionFolder,
+                 const std::vector<Faulty>& programs, const ScenePlan& plan,
+                 const std::vector<std::size_t>& scenes, const References& references,
+                 const Progress& progress);
+
+/// The frames in a folder (see rubric::writeFrames), RGB.
+std::vector<Image> framesIn(const std::filesystem::path& folder);
+/// What lies in a folder of frames and passes (see rubric::writeFrames, trace::save).
+diagnosis::SceneViews viewsIn(const std::filesystem::path& folder);
+
+} // namespace ggrade::grading
