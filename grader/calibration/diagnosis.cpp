@@ -112,8 +112,9 @@ private:
     how.upload = made.folder;
     how.pictures = false;
     how.threads = 1;
-    how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem) {
-      return server.judge(scenes, work, problem);
+    how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem,
+                      const std::vector<std::string>& again) {
+      return server.judge(scenes, work, problem, again);
     };
     const auto quiet = [](const auto&, auto, auto) {};
     how.examining = [&](const grading::Submitted& submitted, report::Result& result) {

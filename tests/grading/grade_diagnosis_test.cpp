@@ -13,8 +13,8 @@ using testing::StrEq;
 
 namespace {
 
-const nlohmann::json& onlyDiagnosis(const Graded& graded) {
-  static const nlohmann::json none = {{"id", ""}, {"text", ""}};
+nlohmann::json onlyDiagnosis(const Graded& graded) {
+  const nlohmann::json none = {{"id", ""}, {"text", ""}};
   const auto& all = graded.results.at("extra_data").at("diagnoses");
   EXPECT_EQ(all.size(), 1u);
   return all.empty() ? none : all[0];
@@ -22,7 +22,7 @@ const nlohmann::json& onlyDiagnosis(const Graded& graded) {
 
 TEST(Diagnosis, LightNotMirroredIsNamedWithItsStep) {
   const Graded graded = grade(Submission::example("light_not_mirrored"), {kDiagnosed});
-  const auto& diagnosis = onlyDiagnosis(graded);
+  const auto diagnosis = onlyDiagnosis(graded);
   EXPECT_EQ(diagnosis.at("id"), "mirror_light_not_mirrored");
   EXPECT_EQ(diagnosis.at("step"), "Step 4: draw the mirrored scene");
   EXPECT_GT(diagnosis.at("confidence"), 0.9);
@@ -45,7 +45,7 @@ TEST(Diagnosis, AFaultThatNobodyListedIsUnknownOrMeasured) {
                 "    reflected = texture(uReflection, at).rgb;\n"
                 "    if (fract(at.x * 3) < 0.5 && at.y > 0.4) reflected = vec3(0, 1, 0.3);\n")),
             {kDiagnosed});
-  const auto& diagnosis = onlyDiagnosis(graded);
+  const auto diagnosis = onlyDiagnosis(graded);
   EXPECT_EQ(diagnosis.at("id"), "");
   EXPECT_EQ(diagnosis.at("confidence"), 0);
   EXPECT_THAT(diagnosis.at("text").get<std::string>(), HasSubstr("matches no known mistake"));
@@ -54,7 +54,7 @@ TEST(Diagnosis, AFaultThatNobodyListedIsUnknownOrMeasured) {
 }
 
 TEST(Diagnosis, AnUnfinishedProgramIsToldItsNextStep) {
-  const auto& diagnosis = onlyDiagnosis(grade(Submission::firstSteps(4), {kDiagnosed}));
+  const auto diagnosis = onlyDiagnosis(grade(Submission::firstSteps(4), {kDiagnosed}));
   EXPECT_THAT(diagnosis.at("id").get<std::string>(), StrEq("step.4"));
   EXPECT_EQ(diagnosis.at("step"), "Step 5: turn culling and normals");
 }
