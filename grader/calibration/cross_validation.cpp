@@ -56,7 +56,9 @@ CrossValidation crossValidate(const std::string& part, const std::vector<ItemDec
     std::size_t programs[2] = {};
     std::fill(std::begin(errors.margin), std::end(errors.margin),
               std::numeric_limits<double>::infinity());
-    for (const Row& row : judge(part, items, trial.measured).rows) {
+    const Verdicts verdicts = judge(part, items, trial.measured);
+    result.seeds = verdicts.seeds;
+    for (const Row& row : verdicts.rows) {
       const int half = halfOf(row.name);
       ++programs[half];
       errors.errors[half] += !row.failures.empty();
@@ -88,7 +90,8 @@ json toJson(const CrossValidation& result) {
     trial["errors"] = {one.errors[0], one.errors[1]};
     trials.push_back(trial);
   }
-  return {{"programs", {result.programs[0], result.programs[1]}},
+  return {{"seeds", result.seeds},
+          {"programs", {result.programs[0], result.programs[1]}},
           {"trials", trials},
           {"chosen", {toJson(result.chosen[0]), toJson(result.chosen[1])}},
           {"errors_on_other_half", {result.errorsOnOther[0], result.errorsOnOther[1]}},
@@ -101,13 +104,15 @@ Section sectionOf(const CrossValidation& result) {
   section.title = "Are the tolerances tuned to these programs?";
   section.text = fmt::format(
       "The mistakes and right answers were split in two halves by a hash of their names, {} and {} "
-      "programs, and judged with other tolerances than the published ones ({}). Chosen on the "
+      "programs, and judged on seed {} with other tolerances than the published ones ({}). Chosen "
+      "on the "
       "first half alone, the tolerances would be {}: they get {} of the second half wrong. Chosen "
       "on the second, they would be {}: they get {} of the first half wrong. The published ones "
       "get {} of {} wrong. The table counts programs that break a limit, first half + second "
       "half.",
-      result.programs[0], result.programs[1], nameOf(publishedSetting()), nameOf(result.chosen[0]),
-      result.errorsOnOther[0], nameOf(result.chosen[1]), result.errorsOnOther[1],
+      result.programs[0], result.programs[1], fmt::join(result.seeds, ", "),
+      nameOf(publishedSetting()), nameOf(result.chosen[0]), result.errorsOnOther[0],
+      nameOf(result.chosen[1]), result.errorsOnOther[1],
       [&] {
         for (const TrialErrors& one : result.trials)
           if (one.setting == publishedSetting()) return one.errors[0] + one.errors[1];

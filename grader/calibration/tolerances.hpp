@@ -36,6 +36,7 @@ struct TrialErrors {
 };
 
 struct CrossValidation {
+  std::vector<std::uint64_t> seeds;
   std::size_t programs[2] = {};    ///< in each half
   std::vector<TrialErrors> trials; ///< in the order of settings()
   Setting chosen[2]; ///< on each half: of those with the fewest errors the widest margin

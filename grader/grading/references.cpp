@@ -134,6 +134,27 @@ std::string identity(const trace::Request& trace) {
                      std::string(reinterpret_cast<const char*>(&trace), sizeof trace));
 }
 
+/// Where the shaders are that one of our programs has compiled for the scenes of `target`.
+fs::path shaderFolder(const Target& target, const Own& own) {
+  return cacheFolder() / "shader-archives" / (own.key + '-' + target.id);
+}
+
+/// Draws every scene once unless that was done before: compiling shaders is most of a short run.
+/// Only a run that can write to the host's folder does that: trusted, outside the sandbox.
+void warmShaders(const Target& target, const Own& own, const ScenePlan& plan) {
+  const fs::path folder = shaderFolder(target, own);
+  if (fs::exists(folder)) return;
+  TemporaryFolder work(folder.parent_path());
+  const fs::path warm = work.makeVisible("shaders");
+  for (const SceneCase& scene : plan.scenes)
+    requireGood(
+        renderScene(target.assignment.id, own.folder, scene.scene, {0}, {warm}, Isolation::none)
+            .happened,
+        own.what);
+  std::error_code raced;
+  fs::rename(warm, folder, raced);
+}
+
 } // namespace
 
 unsigned workers() {
@@ -220,29 +241,21 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
     all.scenes.push_back(std::move(folders));
   }
 
-  // The cache holds hidden scenes and the reference: nobody else's business.
-  all.shaders.folder = cacheFolder() / "shader-archives" / stub.key;
-  if (jobs.empty() && fs::exists(all.shaders.folder)) return all;
+  // The cache holds hidden scenes and the reference: nobody else's business. Every submission can
+  // read its copy of the shaders that the stub has warmed, never of the reference's.
+  all.shaders.folder = shaderFolder(target, stub);
+  all.ownShaders.folder = shaderFolder(target, reference);
+  const bool warm = fs::exists(all.shaders.folder) && fs::exists(all.ownShaders.folder);
+  if (jobs.empty() && warm) return all;
   progress("building the reference and the stub", 0, jobs.size() + 1);
   build(assignment, reference);
   build(assignment, stub);
-  if (!fs::exists(all.shaders.folder)) {
-    // Warmed by the stub, never by the reference: every submission can read its copy. Only a run
-    // that can write to the host's folder warms it: trusted, outside the sandbox.
-    TemporaryFolder work(cacheFolder() / "shader-archives");
-    const fs::path warm = work.makeVisible("shaders");
-    for (const SceneCase& scene : plan.scenes)
-      requireGood(renderScene(assignment.id, stub.folder, scene.scene, {0}, {warm}, Isolation::none)
-                      .happened,
-                  stub.what);
-    std::error_code raced;
-    fs::rename(warm, all.shaders.folder, raced);
-  }
+  for (const Own* own : {&reference, &stub}) warmShaders(target, *own, plan);
   std::atomic<std::size_t> done{1};
   inParallel(jobs.size(), workers(), [&](std::size_t i) {
     const Job& job = jobs[i];
     const Rendering rendering = renderScene(assignment.id, job.own->folder, *job.scene, *job.times,
-                                            all.shaders, Isolation::bwrap, job.trace);
+                                            all.ownShaders, Isolation::bwrap, job.trace);
     requireGood(rendering.happened, job.own->what);
     TemporaryFolder work(job.folder.parent_path());
     if (job.trace.passes) trace::save(rendering.capture.trace, work.path());

@@ -16,6 +16,7 @@ using Progress = std::function<void(const std::string& what, std::size_t done, s
 struct References {
   std::vector<rubric::SceneFolders> scenes; ///< all but the students' folders is filled in
   ShaderCache shaders;                      ///< warmed by the stub
+  ShaderCache ownShaders; ///< warmed by the reference; for programs whose words reach no student
 };
 
 /// Where pictures of hidden scenes may be kept: private to this user. Throws UsageError.
