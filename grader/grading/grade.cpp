@@ -86,6 +86,40 @@ std::vector<std::string> remarks(const channel::Capture& capture) {
   return all;
 }
 
+/// Holds two runs of one program in one scene against each other. The sentence says what differs;
+/// empty: nothing.
+std::string compareRuns(const Rendering& first, const Rendering& again, report::Scene& scene) {
+  if (again.happened.outcome == Outcome::notGradable) return {}; // no fault of the submission
+  if (first.happened.outcome != again.happened.outcome)
+    return fmt::format("a second run of the same program ended in another way ({})",
+                       again.happened.detail);
+  const auto frames = rawFrames(first.capture), others = rawFrames(again.capture);
+  std::string where;
+  for (std::size_t i = 0; i < frames.size() && i < others.size(); ++i) {
+    if (frames[i].pixels == others[i].pixels) continue;
+    const Image image = rubric::toImage(frames[i]), other = rubric::toImage(others[i]);
+    double share = 1;
+    if (sameSize(image, other)) {
+      std::size_t different = 0;
+      for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x)
+          different += !std::ranges::equal(image.pixel(x, y), other.pixel(x, y));
+      share = double(different) / double(image.pixelCount());
+    }
+    if (i < scene.frames.size()) {
+      scene.frames[i].unsteadyShare = share;
+      scene.frames[i].unsteadyPicture = differencePicture(image, other);
+    }
+    where +=
+        fmt::format("{}{} of frame {}", where.empty() ? "" : ", ", report::percent(share), i + 1);
+  }
+  if (where.empty()) return {};
+  return fmt::format("not deterministic: a second run of the same program draws something else "
+                     "({}). Random numbers, the system's clock, or a variable or texture that was "
+                     "never set?",
+                     where);
+}
+
 report::Scene describe(const rubric::SceneFolders& folders, const Rendering& rendering) {
   report::Scene scene;
   scene.name = folders.name;
@@ -116,41 +150,56 @@ std::vector<report::Item> unearned(const Target& target, const std::string& why)
   return items;
 }
 
+struct Renderings {
+  std::vector<Rendering> scenes;
+  std::optional<Rendering> again; ///< the first scene's second run
+};
+
 /// Renders every scene of `references` with a built program into `studentFolder(i)`: frames and
 /// passes. The public scene goes first and leaves its shader cache in `shaderFolder` for the hidden
 /// ones: so no run can tell another what it saw of a hidden scene.
 template <class StudentFolder>
-std::vector<Rendering> renderScenes(const Target& target, const Built& built, const ScenePlan& plan,
-                                    const References& references,
-                                    const StudentFolder& studentFolder,
-                                    const fs::path& shaderFolder, unsigned threads,
-                                    const std::function<void(std::size_t done)>& progress) {
+Renderings renderScenes(const Target& target, const Built& built, const ScenePlan& plan,
+                        const References& references, const StudentFolder& studentFolder,
+                        const fs::path& shaderFolder, const GradeOptions& options,
+                        const std::function<void(std::size_t done)>& progress) {
   std::vector<Rendering> renderings(references.scenes.size());
+  std::optional<Rendering> again;
   std::atomic<std::size_t> done{1};
   ShaderCache shaders = references.shaders;
+  const auto run = [&](std::size_t i, const trace::Request& request) {
+    return renderScene(target.assignment.id, built.program, plan.scenes[i].scene,
+                       plan.scenes[i].times, shaders, Isolation::bwrap, request);
+  };
   const auto render = [&](std::size_t i) {
-    renderings[i] = renderScene(target.assignment.id, built.program, plan.scenes[i].scene,
-                                plan.scenes[i].times, shaders, Isolation::bwrap, gradingRequest());
+    renderings[i] = run(i, gradingRequest());
     // Copies of a whole frame's passes are too much to keep in memory for every scene.
     trace::save(renderings[i].capture.trace, studentFolder(i));
     renderings[i].capture.trace = {};
     progress(++done);
   };
   std::size_t first = 0;
+  bool twice = false;
   if (!references.scenes.empty() && references.scenes[0].isPublic) {
     shaders.keep = shaderFolder;
     render(first++);
     shaders = {shaderFolder, {}};
+    twice = options.pictures && renderings[0].happened.ok();
   }
   if (first == 1 && !renderings[0].happened.ok() && renderings[0].happened.seconds >= kRunSeconds)
     for (std::size_t i = 1; i < renderings.size(); ++i)
       renderings[i].happened = {
           renderings[0].happened.outcome, "not run: the program hung in the first scene", {}, 0};
   else
-    inParallel(renderings.size() - first, threads, [&](std::size_t i) { render(first + i); });
+    inParallel(renderings.size() - first + twice, options.threads, [&](std::size_t i) {
+      if (first + i < renderings.size())
+        render(first + i);
+      else
+        again = run(0, {});
+    });
   for (std::size_t i = 0; i < renderings.size(); ++i)
     rubric::writeFrames(studentFolder(i), rawFrames(renderings[i].capture));
-  return renderings;
+  return {std::move(renderings), std::move(again)};
 }
 
 /// The outcome of all scenes together, and the first remark or fault in words.
@@ -247,12 +296,14 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   for (std::size_t i = 0; i < folders.size(); ++i) folders[i].student = studentFolder(i);
   const fs::path shaders = work.makeVisible("shaders");
   std::vector<Rendering> renderings;
+  std::optional<Rendering> again;
   {
     const Stopwatch time(result, "render");
     progress("rendering", 1, steps);
-    renderings =
-        renderScenes(target, built, plan, references, studentFolder, shaders, options.threads,
-                     [&](std::size_t done) { progress("rendering", done, steps); });
+    Renderings all = renderScenes(target, built, plan, references, studentFolder, shaders, options,
+                                  [&](std::size_t done) { progress("rendering", done, steps); });
+    renderings = std::move(all.scenes);
+    again = std::move(all.again);
   }
   nameOutcome(renderings, folders, result);
 
@@ -287,6 +338,12 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   }
   addUp(result);
   result.scenes = scenes.get();
+  if (again && !result.scenes.empty())
+    if (const std::string unsteady = compareRuns(renderings[0], *again, result.scenes[0]);
+        !unsteady.empty()) {
+      result.scenes[0].messages.insert(result.scenes[0].messages.begin(), unsteady);
+      if (result.outcome == Outcome::graded) result.detail = folders[0].name + ": " + unsteady;
+    }
   if (options.examining && !renderings.empty()) {
     Submitted submitted{plan, references, {}, {}};
     for (const rubric::SceneFolders& scene : folders) submitted.folders.push_back(scene.student);

@@ -25,7 +25,9 @@ struct GradeOptions {
       false; ///< `upload` is a trusted folder of solutions/, its other files are expected
   std::optional<std::uint64_t> seed;
   std::vector<std::string> judgeArguments; ///< GoogleTest's
-  bool pictures = true; ///< false: the result has items but no scenes, for who wants scores only
+  /// False for who wants scores only: the result has items but no scenes, and the public scene is
+  /// not run a second time to see whether the program draws the same again.
+  bool pictures = true;
   unsigned threads = workers(); ///< scenes that are rendered at a time
   bool diagnosis = true;        ///< `grade` looks for the likeliest cause of lost points
   Judging judging;              ///< empty: a judge's process for this grading alone

@@ -17,8 +17,8 @@ namespace ggrade::report {
 
 inline constexpr std::size_t kOutputBytes = 64 << 10; ///< of compiler or program output on a page
 
-/// Student, reference, difference, FLIP as data URIs.
-using FramePictures = std::array<std::string, 4>;
+/// Student, reference, difference, FLIP, difference between two runs as data URIs.
+using FramePictures = std::array<std::string, 5>;
 /// The frames of each scene. Public and hidden scenes never share an entry, whatever their names.
 using SceneKey = std::pair<std::string, bool>;
 using Pictures = std::map<SceneKey, std::vector<FramePictures>>;

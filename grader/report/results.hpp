@@ -76,6 +76,9 @@ struct Frame {
   /// FLIP (image/flip.hpp), for people: 0 to 1; unless there was a pair to compare, not a number.
   double flip = std::numeric_limits<double>::quiet_NaN();
   Image flipPicture{}; ///< its map as a heat map
+  /// Of the pixels that a second run of the same program drew otherwise, in any bit: 0 to 1.
+  double unsteadyShare = 0;
+  Image unsteadyPicture{}; ///< where; empty if nowhere
 };
 
 struct Scene {

@@ -140,6 +140,7 @@ Json extraData(const Result& result) {
       frames.push_back({{"time", value(frame.time)},
                         {"wrong_share", value(frame.wrongShare)},
                         {"flip", value(frame.flip)},
+                        {"unsteady_share", value(frame.unsteadyShare)},
                         {"hash", sanitizeLine(frame.hash)}});
     data["scenes"].push_back({{"name", sanitizeLine(scene.name)},
                               {"public", scene.isPublic},

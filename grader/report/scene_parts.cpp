@@ -107,6 +107,13 @@ Data frameOf(const Scene& scene, const Frame& frame, const FramePictures& uris,
                                       "pictures sees a change.",
                                       moment),
                           "not compared");
+  if (!frame.unsteadyPicture.empty())
+    pictures << pictureOf(frame.unsteadyPicture, uris[4], "unsteady",
+                          percent(frame.unsteadyShare) + " unsteady",
+                          fmt::format("Between two runs, {}: bright where the same program drew "
+                                      "something else when it ran again.",
+                                      moment),
+                          "");
   data["caption"] =
       Data(fmt::format("t = {} s, {}", number(frame.time, 3), none ? "no frame came" : wrong));
   data["pictures"] = std::move(pictures);
@@ -132,7 +139,8 @@ Pictures encode(const Result& result) {
     std::vector<FramePictures> frames;
     for (const Frame& frame : scene.frames)
       frames.push_back({pngDataUri(frame.student), pngDataUri(frame.reference),
-                        pngDataUri(frame.difference), pngDataUri(frame.flipPicture)});
+                        pngDataUri(frame.difference), pngDataUri(frame.flipPicture),
+                        pngDataUri(frame.unsteadyPicture)});
     return frames;
   };
   // Compressing is most of the time that a report takes: a thread a scene.
