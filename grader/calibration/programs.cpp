@@ -47,6 +47,7 @@ std::vector<Program> everyProgram(const Assignment& assignment, const grading::C
     program.title = variant.title;
     program.patches = {variant.patch};
     program.loses = variant.loses;
+    program.outcome = variant.outcome;
     all.push_back(std::move(program));
   }
   for (const grading::Mistake& mistake : catalogue.mistakes) {

@@ -146,9 +146,10 @@ void readMistake(const fs::path& patch, Checker& checker, Catalogue& into) {
 }
 
 void readVariant(const fs::path& patch, Checker& checker, Catalogue& into) {
-  const Header header = checker.header(patch, {"Title", "Grades"}, {"Loses"});
+  const Header header = checker.header(patch, {"Title", "Grades"}, {"Loses", "Outcome"});
   if (header.empty()) return;
-  Variant variant{patch.stem().string(), patch, header.at("Title"), {}};
+  Variant variant{
+      patch.stem().string(), patch, header.at("Title"), {}, checker.outcome(patch, header)};
   if (header.count("Loses")) variant.loses = commaSeparated(header.at("Loses"));
   for (const std::string& id : variant.loses)
     if (const ItemDeclaration* item = checker.item(patch, "Loses", id))

@@ -31,7 +31,8 @@ struct Variant {
   std::string name;
   std::filesystem::path patch;
   std::string title;
-  std::vector<std::string> loses; ///< items beyond the lecture that it may lose
+  std::vector<std::string> loses;                    ///< items beyond the lecture that it may lose
+  report::Outcome outcome = report::Outcome::graded; ///< how it ends where it loses them
 };
 
 struct Catalogue {

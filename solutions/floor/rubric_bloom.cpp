@@ -31,8 +31,8 @@ constexpr double kNothingOfPass = 0.15, kNothingOfPicture = 0.25;
 /// A picture as right as this is made by passes that are right, in whatever way.
 constexpr double kRightPicture = 0.9;
 
-/// Probes: the reference with its other filters and edge rule.
-constexpr const char* kFilters[] = {"5x5", "dual", "13 samples", "clamped"};
+/// Probes: the reference with its other filters, its other edge rule, and with 11 bits a channel.
+constexpr const char* kFilters[] = {"5x5", "dual", "13 samples", "clamped", "11 bits"};
 
 /// Formats that hold more than 0 to 1.
 bool holdsLight(std::uint32_t format) {

@@ -72,7 +72,7 @@ TEST_F(CatalogueTest, ReadsMistakesVariantsAndPairsOfOnePart) {
   files_.write("floor/mistakes/shadow_a.patch", "nothing of the mirror's business");
   files_.write("floor/mistakes/mirror.pairs", "# together\nmirror_a b # prefix or not\n\n");
   files_.write("floor/variants/mirror_lecture.patch",
-               "Title: As in the lecture\nGrades: mirror\nLoses: mirror.clip, mirror.blur\n" +
+               "Title: As in the lecture\nGrades: mirror\nLoses: mirror.clip, mirror.blur\nOutcome: crash\n" +
                    diff("more.glsl"));
   const grading::Catalogue all = load();
   ASSERT_EQ(all.mistakes.size(), 2u);
@@ -84,6 +84,7 @@ TEST_F(CatalogueTest, ReadsMistakesVariantsAndPairsOfOnePart) {
   EXPECT_EQ(all.mistakes[1].same, "mirror_a");
   ASSERT_EQ(all.variants.size(), 1u);
   EXPECT_THAT(all.variants[0].loses, ElementsAre("mirror.clip", "mirror.blur"));
+  EXPECT_EQ(all.variants[0].outcome, report::Outcome::crash);
   EXPECT_THAT(all.pairs, ElementsAre(Pair("mirror_a", "mirror_b")));
 }
 
