@@ -28,6 +28,8 @@ public:
   std::span<const std::uint8_t> row(int y) const {
     return {&flags_[index(0, y)], std::size_t(width_)};
   }
+  /// For writing: nothing but 0 and 1.
+  std::span<std::uint8_t> row(int y) { return {&flags_[index(0, y)], std::size_t(width_)}; }
   /// Number of pixels inside.
   std::size_t count() const;
 
