@@ -39,12 +39,18 @@ void describeStep(const Answer& answer, const Part& part, Diagnosis& words) {
   for (const std::string& other : answer.alike)
     if (other.starts_with("step.")) done = std::max(done, std::size_t(std::stoul(other.substr(5))));
   words.step = stepHeading(part, part.todos.at(done).id);
-  words.text =
-      done == 0 ? "Your picture is still the one of the handed-out program: nothing of this part "
-                  "can be seen yet."
-                : fmt::format("Your picture is the one of the program with {} done: what step {} "
-                              "adds can't be seen yet.",
-                              done == 1 ? "step 1" : fmt::format("steps 1 to {}", done), done + 1);
+  const bool nothing =
+      answer.id == "step.0" || std::ranges::find(answer.alike, "step.0") != answer.alike.end();
+  if (nothing) {
+    words.text =
+        "Your picture is still the one of the handed-out program: nothing of this part can "
+        "be seen yet.";
+    if (done > 0) words.text += fmt::format(" The first step that shows is step {}.", done + 1);
+  } else {
+    words.text = fmt::format("Your picture is the one of the program with {} done: what step {} "
+                             "adds can't be seen yet.",
+                             done == 1 ? "step 1" : fmt::format("steps 1 to {}", done), done + 1);
+  }
 }
 
 void describeMistake(const Answer& answer, const Part& part, const Catalogue& catalogue,

@@ -24,6 +24,8 @@ namespace {
 constexpr double kWrongObject = 0.1;
 /// Pixels from where two objects meet within which it shows which one is in front.
 constexpr int kMeetingReach = 10;
+/// And pixels there in which a coarser texture than ours mixes the two.
+constexpr int kMeetingEdge = 1;
 
 /// What a frame of a scene shows where.
 struct Regions {
@@ -90,7 +92,9 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
     const Mask near = dilate(regions.objects, 1);
     regions.floor = shown(scene.probes.at("floor").at(frame)) & ~near;
     regions.reflection = shown(reflections) & regions.floor;
-    regions.meeting = dilate(meetings(reflections), kMeetingReach) & regions.reflection;
+    const Mask edges = meetings(reflections);
+    regions.meeting =
+        dilate(edges, kMeetingReach) & ~dilate(edges, kMeetingEdge) & regions.reflection;
     regions.clipped = Mask(reflections.width(), reflections.height());
     if (const auto unclipped = scene.probes.find("unclipped"); unclipped != scene.probes.end())
       regions.clipped = regions.floor & differenceMask(scene.reference.at(frame),

@@ -39,9 +39,11 @@ TEST(Fault, NoDepthAttachment) {
 TEST(Fault, ScaleOnTheWrongSideOfTheView) {
   const Graded graded = grade(Submission::example("scale_on_the_left"));
   EXPECT_EQ(graded.outcome(), "graded");
-  EXPECT_THAT(graded.lost(), Contains("mirror.where"));
-  EXPECT_EQ(graded.earned("mirror.position"), 0);
-  EXPECT_LT(graded.score(), 20);
+  EXPECT_THAT(graded.lost(), Contains("mirror.texture"));
+  EXPECT_EQ(graded.earned("mirror.shading"), 0);
+  // What samples the texture is right: it is judged with the reference's in its place.
+  EXPECT_EQ(graded.earned("mirror.position"), 15);
+  EXPECT_LT(graded.score(), 40);
 }
 
 TEST(Fault, CullingLeftTurned) {
@@ -70,9 +72,9 @@ TEST(Fault, NothingClips) {
 TEST(Fault, ClippedOnTheWrongSide) {
   const Graded graded = grade(std::move(Submission::solution().replace(
       "mirror.vert", "uClip ? world.y : 1", "uClip ? -world.y : 1")));
-  EXPECT_EQ(graded.earned("mirror.where"), 0);
+  EXPECT_EQ(graded.earned("mirror.texture"), 0);
   EXPECT_EQ(graded.earned("mirror.clip"), 0);
-  EXPECT_LT(graded.score(), 10);
+  EXPECT_EQ(graded.score(), 35); // the sampling's, judged with the reference's reflection
 }
 
 TEST(Fault, ClipDistanceLeftEnabled) {
@@ -94,9 +96,9 @@ TEST(Fault, ViewportKeptFromTheMirrorPass) {
 TEST(Fault, ViewportOfTheWindowInTheMirrorPass) {
   const Graded graded = grade(std::move(Submission::solution().replace(
       "floor.cpp", "      glViewport(0, 0, reflection.size, reflection.size);\n", "")));
-  EXPECT_EQ(graded.earned("mirror.where"), 0);
-  EXPECT_EQ(graded.earned("mirror.position"), 0);
-  EXPECT_LT(graded.score(), 30);
+  EXPECT_LT(graded.earned("mirror.texture"), 5);
+  EXPECT_EQ(graded.earned("mirror.shading"), 0);
+  EXPECT_LT(graded.score(), 40); // the sampling's, judged with the reference's reflection
 }
 
 TEST(Fault, DepthNotCleared) {
