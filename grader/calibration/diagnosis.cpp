@@ -154,8 +154,9 @@ private:
     if (answer.id.starts_with("step.") &&
         part_.todos.at(std::stoul(answer.id.substr(5))).id == mistake.step)
       return Answered::right;
-    // What shows the same can't be told apart: with both known they are one diagnosis.
-    return diagnoser.showTheSame(mistake.name, answer.id, lost, options_.thresholds)
+    // What shows the same can't be told apart: with both known they are one diagnosis. Of a first
+    // wrong pass no more is said than what that pass shows.
+    return diagnoser.showTheSame(mistake.name, answer.id, lost, answer.by, options_.thresholds)
                ? Answered::right
                : Answered::wrong;
   }

@@ -217,6 +217,21 @@ Likeness likeness(const Run& student, const Run& signature, const Run& reference
   return {windows.mean(), all.mean(), both ? first->sum.mean() : 0};
 }
 
+namespace {
+
+/// Has the first wrong pass one value all over?
+bool showsNothing(const Run& student, const std::optional<FirstWrong>& first) {
+  if (!first || !first->slot || first->missing) return true;
+  const Image& picture = *pictureAt(student[first->scene], *first->slot);
+  for (int c = 0; c < picture.channels(); ++c)
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x)
+        if (std::abs(picture.at(x, y, c) - picture.at(0, 0, c)) > kTolerance) return false;
+  return true;
+}
+
+} // namespace
+
 std::optional<Identified> KnownFaults::identify(const Run& student, const Thresholds& thresholds,
                                                 const std::vector<bool>& leftOut) const {
   std::vector<Likeness> likes(signatures.size());
@@ -250,13 +265,17 @@ std::optional<Identified> KnownFaults::identify(const Run& student, const Thresh
     const double unlike = (1 - found.likeness) / std::max(1 - found.next, 1e-9);
     if (unlike > thresholds.margin) return std::nullopt;
     found.confidence = found.likeness * (1 - unlike);
+    if (found.confidence < thresholds.confidence) return std::nullopt;
     return found;
   };
   if (auto found = by(&Likeness::all, Identified::By::everything, thresholds.like)) return found;
   if (auto found = by(&Likeness::windows, Identified::By::windows, thresholds.like)) {
     const auto first = firstWrong(signatures[found->signature].run, reference);
-    if (!first || !first->slot || likes[found->signature].first >= 0.5) return found;
+    if (!first || !first->slot || likes[found->signature].first >= 0.5 ||
+        found->likeness >= thresholds.same)
+      return found;
   }
+  if (showsNothing(student, firstWrong(student, reference))) return std::nullopt;
   return by(&Likeness::first, Identified::By::firstPass, thresholds.firstLike);
 }
 

@@ -56,6 +56,7 @@ struct Thresholds {
   double firstLike = 0.95; ///< least likeness of the first wrong pass where only that is alike
   double margin = 0.4; ///< what is unlike, at most this share of what is unlike in the next best
   double same = 0.97;  ///< signatures that are as alike as this can't be told apart
+  double confidence = 0.77; ///< less is unknown: faults that nobody has listed often reach 0.76
 };
 
 /// What a submission was found to be like.
@@ -74,10 +75,11 @@ struct KnownFaults {
   std::vector<Signature> signatures;
 
   /// The signature that shows what the submission shows: in everything; else in the window, if that
-  /// fault is not in a pass (passes may hold something else where a program is made in another
-  /// way); else in the first wrong pass (something else is wrong later). Nothing where none is like
-  /// it, or two different ones are almost equally like it. Signatures with `leftOut` set are not
-  /// considered.
+  /// fault is not in a pass or the windows are the same (passes may hold something else where a
+  /// program is made in another way); else in the first wrong pass (something else is wrong later).
+  /// Nothing where none is like it, two different ones are almost equally like it, or the first
+  /// wrong pass holds one value all over, as many faults leave it. Signatures with `leftOut` set
+  /// are not considered.
   std::optional<Identified> identify(const Run& student, const Thresholds& thresholds = {},
                                      const std::vector<bool>& leftOut = {}) const;
 };

@@ -59,6 +59,23 @@ Image averaged(const Image& image, int width, int height) {
   return out;
 }
 
+/// Mean of a level's picture, see evened.
+constexpr float kMean = 0.1f;
+
+/// A constant factor of what is drawn at a fraction of the window's size is the program's own
+/// choice: where light is weighed is a matter of taste. The picture with its mean at kMean; black
+/// stays black.
+Image evened(Image image) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const float value : image.values())
+    if (std::isfinite(value)) sum += double(value), ++count;
+  const double mean = count ? sum / double(count) : 0;
+  if (mean > 1e-6)
+    for (float& value : image.values()) value = float(double(value) * kMean / mean);
+  return image;
+}
+
 /// Was a mesh drawn into this, or into what it is a blit or copy of?
 bool showsMesh(const trace::Trace& trace, const trace::PassRecord& pass) {
   if (pass.kind == std::uint32_t(trace::PassKind::draw)) return pass.vertices > kMostOfAScreen;
@@ -137,7 +154,9 @@ SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace) {
         view.slot.octave =
             std::int32_t(std::lround(std::log2(double(frames[0].height()) / double(copy->height))));
       view.slot.nth = seen[view.slot]++;
-      const Image pixels = trace.image(*copy);
+      Image pixels = trace.image(*copy);
+      if (!view.slot.mesh && !view.slot.depth && view.slot.octave > 0)
+        pixels = evened(firstChannels(pixels, std::min(pixels.channels(), 3)));
       view.picture = view.slot.depth ? reduced(stretchedDepth(pixels), 1)
                                      : reduced(pixels, std::min(pixels.channels(), 3));
       views.passes.push_back(std::move(view));

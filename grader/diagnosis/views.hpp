@@ -34,7 +34,8 @@ std::string words(const Slot& slot);
 struct PassView {
   Slot slot;
   std::int32_t width = 0, height = 0; ///< as it was drawn, pixels
-  Image picture;                      ///< 3 channels, or 1 of depth
+  /// 3 channels, or 1 of depth. At a fraction of the window's size its mean is always the same.
+  Image picture;
 };
 
 /// One scene. Passes stand in the order in which they were made.

@@ -40,6 +40,10 @@ const char* nameOf(Generic::Kind kind) {
   return kNames.at(std::size_t(kind));
 }
 
+bool isOneColour(Generic::Kind kind) {
+  return kind == Generic::Kind::black || kind == Generic::Kind::constant;
+}
+
 bool isStep(const std::string& name) {
   return name.starts_with("step.");
 }
@@ -98,15 +102,18 @@ std::vector<Faulty> Diagnoser::suspects(const std::vector<std::string>& lost,
   for (const Mistake& mistake : catalogue_.mistakes) {
     const bool shows =
         mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
+    // A bonus is never lost, and yet a mistake in it may cost points elsewhere.
+    const auto fails = std::ranges::find(part_.items, mistake.fails, &ItemDeclaration::id);
+    const bool bonus = fails != part_.items.end() && fails->kind == report::ItemKind::bonus;
     if (shows && !leftOut.count(mistake.name) &&
-        std::ranges::find(lost, mistake.fails) != lost.end())
+        (bonus || std::ranges::find(lost, mistake.fails) != lost.end()))
       all.push_back(faulty(mistake));
   }
   return all;
 }
 
 bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
-                            const std::vector<std::string>& lost,
+                            const std::vector<std::string>& lost, Identified::By by,
                             const diagnosis::Thresholds& thresholds) {
   std::vector<Faulty> both;
   for (const std::string& name : {a, b}) {
@@ -120,7 +127,8 @@ bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
   for (const std::size_t scene : scenes) right.push_back(reference(scene));
   const auto signatures =
       renderSignatures(target_, solutionFolder_, both, plan_, scenes, references_, progress_);
-  return likeness(signatures[0].run, signatures[1].run, right).all >= thresholds.same;
+  const Likeness like = likeness(signatures[0].run, signatures[1].run, right);
+  return (by == Identified::By::firstPass ? like.first : like.all) >= thresholds.same;
 }
 
 std::optional<Answer> Diagnoser::known(const std::vector<Faulty>& suspects,
@@ -195,7 +203,9 @@ std::optional<Answer> Diagnoser::changed(const std::vector<std::size_t>& scenes,
       pair.student = &fitted.back();
     }
     if (const auto change = diagnosis::generic(pairs);
-        change && change->kind != Generic::Kind::shifted) {
+        change && change->kind != Generic::Kind::shifted &&
+        // A level that is black for a while may be cleared: another way to a right picture.
+        (first->slot->mesh || !isOneColour(change->kind))) {
       answer.generic = change;
       answer.of = first->slot;
     }

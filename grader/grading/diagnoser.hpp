@@ -47,8 +47,9 @@ public:
                 const diagnosis::Thresholds& thresholds = {});
 
   /// Do two mistakes of the catalogue (or "step.3") show the same in every scene of these items?
+  /// `by` says where: in everything, or in the first wrong pass alone.
   bool showTheSame(const std::string& a, const std::string& b, const std::vector<std::string>& lost,
-                   const diagnosis::Thresholds& thresholds = {});
+                   diagnosis::Identified::By by, const diagnosis::Thresholds& thresholds = {});
 
   const Catalogue& catalogue() const { return catalogue_; }
   /// Numbers of the scenes of the plan in which these items can be lost.
