@@ -154,6 +154,8 @@ private:
     if (answer.id.starts_with("step.") &&
         part_.todos.at(std::stoul(answer.id.substr(5))).id == mistake.step)
       return Answered::right;
+    // That the picture is still the handed-out one is seen, and true of what can't be seen.
+    if (answer.id == "step.0") return Answered::generic;
     // What shows the same can't be told apart: with both known they are one diagnosis. Of a first
     // wrong pass no more is said than what that pass shows.
     return diagnoser.showTheSame(mistake.name, answer.id, lost, answer.by, options_.thresholds)

@@ -219,15 +219,24 @@ Likeness likeness(const Run& student, const Run& signature, const Run& reference
 
 namespace {
 
-/// Has the first wrong pass one value all over?
-bool showsNothing(const Run& student, const std::optional<FirstWrong>& first) {
-  if (!first || !first->slot || first->missing) return true;
-  const Image& picture = *pictureAt(student[first->scene], *first->slot);
+bool isOneColour(const Image& picture) {
   for (int c = 0; c < picture.channels(); ++c)
     for (int y = 0; y < picture.height(); ++y)
       for (int x = 0; x < picture.width(); ++x)
         if (std::abs(picture.at(x, y, c) - picture.at(0, 0, c)) > kTolerance) return false;
   return true;
+}
+
+/// Has the first wrong pass one value all over, or is there none?
+bool passShowsNothing(const Run& student, const std::optional<FirstWrong>& first) {
+  return !first || !first->slot || first->missing ||
+         isOneColour(*pictureAt(student[first->scene], *first->slot));
+}
+
+bool windowsShowNothing(const Run& student) {
+  return std::ranges::all_of(student, [](const SceneViews& scene) {
+    return std::ranges::all_of(scene.windows, isOneColour);
+  });
 }
 
 } // namespace
@@ -245,14 +254,19 @@ std::optional<Identified> KnownFaults::identify(const Run& student, const Thresh
                       double enough) -> std::optional<Identified> {
     Identified found;
     found.by = how;
+    const bool all = how == Identified::By::everything;
+    double most = -1;
     for (std::size_t i = 0; i < likes.size(); ++i)
-      if (likes[i].*kind > likes[found.signature].*kind) found.signature = i;
-    if (likes.empty()) return std::nullopt;
+      if (likes[i].*kind > most && (all || !signatures[i].wholly)) {
+        most = likes[i].*kind;
+        found.signature = i;
+      }
+    if (most < 0) return std::nullopt;
     found.likeness = likes[found.signature].*kind;
     if (found.likeness < enough) return std::nullopt;
     const double least = 1 - (1 - found.likeness) / thresholds.margin;
     for (std::size_t i = 0; i < likes.size(); ++i) {
-      if (i == found.signature) continue;
+      if (i == found.signature || (!all && signatures[i].wholly)) continue;
       // Only what is near enough to matter is worth comparing.
       if (groupOf(i) == groupOf(found.signature) ||
           (likes[i].*kind > least - 0.05 &&
@@ -269,13 +283,15 @@ std::optional<Identified> KnownFaults::identify(const Run& student, const Thresh
     return found;
   };
   if (auto found = by(&Likeness::all, Identified::By::everything, thresholds.like)) return found;
-  if (auto found = by(&Likeness::windows, Identified::By::windows, thresholds.like)) {
+  if (auto found = windowsShowNothing(student)
+                       ? std::nullopt
+                       : by(&Likeness::windows, Identified::By::windows, thresholds.like)) {
     const auto first = firstWrong(signatures[found->signature].run, reference);
     if (!first || !first->slot || likes[found->signature].first >= 0.5 ||
         found->likeness >= thresholds.same)
       return found;
   }
-  if (showsNothing(student, firstWrong(student, reference))) return std::nullopt;
+  if (passShowsNothing(student, firstWrong(student, reference))) return std::nullopt;
   return by(&Likeness::first, Identified::By::firstPass, thresholds.firstLike);
 }
 

@@ -16,6 +16,7 @@ struct Signature {
   std::string name;
   std::string group; ///< signatures with one group are one diagnosis; empty: its name
   Run run;
+  bool wholly = false; ///< named only where everything is alike, as an unfinished program is
 };
 
 /// How far apart two pictures are at every pixel, 0 (alike) to 1 (as far as counts): how far a
@@ -56,7 +57,7 @@ struct Thresholds {
   double firstLike = 0.95; ///< least likeness of the first wrong pass where only that is alike
   double margin = 0.4; ///< what is unlike, at most this share of what is unlike in the next best
   double same = 0.97;  ///< signatures that are as alike as this can't be told apart
-  double confidence = 0.77; ///< less is unknown: faults that nobody has listed often reach 0.76
+  double confidence = 0.8; ///< less is unknown: faults that nobody has listed reach 0.78
 };
 
 /// What a submission was found to be like.
@@ -77,9 +78,9 @@ struct KnownFaults {
   /// The signature that shows what the submission shows: in everything; else in the window, if that
   /// fault is not in a pass or the windows are the same (passes may hold something else where a
   /// program is made in another way); else in the first wrong pass (something else is wrong later).
-  /// Nothing where none is like it, two different ones are almost equally like it, or the first
-  /// wrong pass holds one value all over, as many faults leave it. Signatures with `leftOut` set
-  /// are not considered.
+  /// Nothing where none is like it, two different ones are almost equally like it, or what is
+  /// alike holds one value all over, as many faults leave it. Signatures with `leftOut` set are not
+  /// considered.
   std::optional<Identified> identify(const Run& student, const Thresholds& thresholds = {},
                                      const std::vector<bool>& leftOut = {}) const;
 };

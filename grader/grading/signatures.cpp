@@ -149,7 +149,7 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
 
   std::vector<diagnosis::Signature> signatures;
   for (const Faulty& faulty : programs) {
-    diagnosis::Signature signature{faulty.name, faulty.group, {}};
+    diagnosis::Signature signature{faulty.name, faulty.group, {}, faulty.filled.has_value()};
     for (std::size_t i = 0; i < scenes.size(); ++i)
       signature.run.push_back(diagnosis::load(fileOf(faulty, scenes[i]), &reference[i]));
     signatures.push_back(std::move(signature));
