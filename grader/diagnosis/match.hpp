@@ -57,7 +57,7 @@ struct Thresholds {
   double firstLike = 0.95; ///< least likeness of the first wrong pass where only that is alike
   double margin = 0.4; ///< what is unlike, at most this share of what is unlike in the next best
   double same = 0.97;  ///< signatures that are as alike as this can't be told apart
-  double confidence = 0.8; ///< less is unknown: faults that nobody has listed reach 0.78
+  double confidence = 0.845; ///< less is unknown: faults that nobody has listed reach 0.84
 };
 
 /// What a submission was found to be like.

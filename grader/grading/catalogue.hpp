@@ -23,7 +23,7 @@ struct Mistake {
   std::string step;    ///< the TODO to read again
   std::string shows;   ///< tag of the scenes that show it
   report::Outcome outcome = report::Outcome::graded;
-  std::string same; ///< name of a mistake with which it is one diagnosis, or empty
+  std::string same; ///< name of a mistake with the very same passes, or empty
 };
 
 /// A right answer, written in another way.

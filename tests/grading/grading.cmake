@@ -8,7 +8,7 @@ file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/grade_*_test.cpp)
 foreach(part common passes pyramid)
   list(APPEND sources ${PROJECT_SOURCE_DIR}/solutions/floor/rubric_${part}.cpp)
 endforeach()
-ggrade_test(grading_test grading SOURCES ${sources} LIBRARIES grading_tool TIMEOUT 300)
+ggrade_test(grading_test grading SOURCES ${sources} LIBRARIES grading_tool TIMEOUT 600)
 add_dependencies(grading_test ggrade_tool ggrade_compare floor floor_solution)
 ggrade_test(window_test gl SOURCES ${CMAKE_CURRENT_LIST_DIR}/window_test.cpp
   LIBRARIES grading_tool TIMEOUT 120)
