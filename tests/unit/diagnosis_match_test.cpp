@@ -86,10 +86,14 @@ TEST(DiagnosisMatch, HalfWayBetweenTwoIsUnknown) {
   KnownFaults known = faults();
   known.signatures.push_back({"box higher", "", fault(0.5f, 0.07f, 0.9f, 0.37f, 1)});
   const diagnosis::Run between = fault(0.5f, 0.085f, 0.9f, 0.385f, 1);
-  EXPECT_FALSE(known.identify(between));
+  diagnosis::Thresholds thresholds;
+  thresholds.confidence = 0.5; // how like each it is is another matter
+  EXPECT_FALSE(known.identify(between, thresholds));
   // Said to be one diagnosis, it doesn't matter which.
   for (std::size_t i : {1u, 2u, 4u}) known.signatures[i].group = "box";
-  EXPECT_TRUE(known.identify(between));
+  EXPECT_TRUE(known.identify(between, thresholds));
+  // What is likely, but not sure, is unknown.
+  EXPECT_FALSE(known.identify(between));
 }
 
 TEST(DiagnosisMatch, TheWindowSuffices) {
