@@ -72,8 +72,7 @@ public:
     } else if (program.kind == Kind::pair) {
       checkPair(program, score, result);
     } else {
-      result.require(0, score.score,
-                     fmt::format("it scores {} instead of 0", number(score.score)));
+      result.require(0, score.score, fmt::format("it scores {} instead of 0", number(score.score)));
     }
     if (score.outcome != program.outcome && program.kind != Kind::pair) {
       result.margin = std::min(result.margin, -1.0);

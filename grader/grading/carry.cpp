@@ -127,9 +127,9 @@ private:
   /// evidence.
   bool render(std::size_t scene, const fs::path& folder) const {
     const SceneCase& planned = first_.plan.scenes.at(scene);
-    const Rendering rendering = renderScene(
-        first_.target.assignment.id, first_.program, planned.scene, {planned.times.at(0)},
-        first_.shaders, Isolation::bwrap, gradingRequest(), pixels_[scene]);
+    const Rendering rendering = renderScene(first_.target.assignment.id, first_.program,
+                                            planned.scene, {planned.times.at(0)}, first_.shaders,
+                                            Isolation::bwrap, gradingRequest(), pixels_[scene]);
     const channel::Capture& capture = rendering.capture;
     const auto done = [](channel::ReplacementAnswer answer) {
       return answer == channel::ReplacementAnswer::done;

@@ -138,8 +138,8 @@ std::vector<sandbox::Collect> cacheFiles(const fs::path& folder, const fs::path&
   std::vector<sandbox::Collect> files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
     if (entry.path().extension() == ".foz")
-      files.push_back({inside / entry.path().lexically_relative(folder),
-                       into / std::to_string(files.size())});
+      files.push_back(
+          {inside / entry.path().lexically_relative(folder), into / std::to_string(files.size())});
   return files;
 }
 
@@ -261,9 +261,9 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   if (shaders.folder.empty())
     command.environment.emplace_back("MESA_SHADER_CACHE_DISABLE", "true");
   else
-    command.environment.insert(command.environment.end(),
-                               {{"MESA_SHADER_CACHE_DIR", at.shaders.string()},
-                                {"MESA_DISK_CACHE_SINGLE_FILE", "true"}});
+    command.environment.insert(
+        command.environment.end(),
+        {{"MESA_SHADER_CACHE_DIR", at.shaders.string()}, {"MESA_DISK_CACHE_SINGLE_FILE", "true"}});
   if (isolation == Isolation::bwrap) {
     command.mounts = {
         {folder, "/submission"}, {toolchain::kCaptureFolder, "/capture"}, {sceneFolder, "/scene"}};

@@ -24,8 +24,8 @@ std::optional<Reveal> parseReveal(std::string_view word);
 /// is made from this copy and from nothing else. Gone at every level: the seed (it makes the hidden
 /// scenes), timings, the diagnosis' name in the catalogue, and what the program printed in hidden
 /// scenes. Below `details` also gone: all text of a hidden run that the program can write into (GL
-/// messages, evidence), because it can read the scene. \param pictures false leaves out all frames:
-/// copying them takes most of the time
+/// messages, evidence), because it can read the scene.
+/// \param pictures false leaves out all frames: copying them takes most of the time
 Result studentView(const Result& result, Reveal reveal, bool pictures = true);
 
 /// Replaces bracketed coordinates, such as `(212, 340)` or `[0.1,2]`, by `(position withheld)`.

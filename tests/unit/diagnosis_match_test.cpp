@@ -99,8 +99,8 @@ TEST(DiagnosisMatch, HalfWayBetweenTwoIsUnknown) {
 TEST(DiagnosisMatch, TheWindowSuffices) {
   // The texture is another one, as in a program that is made in another way.
   diagnosis::Run student = {samples::views(kDepth, Image(256, 256, 3, 0.7f),
-                                painted(kFirst, 0.5f, 0.1f, 0.9f, 0.4f, 1),
-                                painted(kSecond, 0.5f, 0.1f, 0.9f, 0.4f, 1))};
+                                           painted(kFirst, 0.5f, 0.1f, 0.9f, 0.4f, 1),
+                                           painted(kSecond, 0.5f, 0.1f, 0.9f, 0.4f, 1))};
   const auto found = faults().identify(student);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->signature, 1u);

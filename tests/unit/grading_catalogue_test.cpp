@@ -72,7 +72,8 @@ TEST_F(CatalogueTest, ReadsMistakesVariantsAndPairsOfOnePart) {
   files_.write("floor/mistakes/shadow_a.patch", "nothing of the mirror's business");
   files_.write("floor/mistakes/mirror.pairs", "# together\nmirror_a b # prefix or not\n\n");
   files_.write("floor/variants/mirror_lecture.patch",
-               "Title: As in the lecture\nGrades: mirror\nLoses: mirror.clip, mirror.blur\nOutcome: crash\n" +
+               "Title: As in the lecture\nGrades: mirror\nLoses: mirror.clip, "
+               "mirror.blur\nOutcome: crash\n" +
                    diff("more.glsl"));
   const grading::Catalogue all = load();
   ASSERT_EQ(all.mistakes.size(), 2u);
