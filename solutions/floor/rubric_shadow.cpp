@@ -23,6 +23,8 @@ namespace {
 constexpr int kEdge = 2;
 /// Least difference that light makes for a pixel to be told apart from one in shadow.
 constexpr float kLeastLight = 10.0f / 255;
+/// A map may be drawn from this far off the light, as a share of the objects' distance.
+constexpr double kOffLight = 0.1;
 
 const Image& probe(const View& view, const char* name, std::size_t frame) {
   return view.scene.probes.at(name).at(frame);
@@ -154,10 +156,24 @@ const LightPoints& lightPoints(const View& view) {
   return points;
 }
 
+/// Does this matrix look from the light? What the eye or another place sees agrees with itself,
+/// too. A perspective has its centre where x, y and w are 0; one without a centre may pass.
+bool looksFromLight(const glm::dmat4& mapFromWorld, bool unit, const LightPoints& points) {
+  const glm::dvec4 rowOfW(mapFromWorld[0][3], mapFromWorld[1][3], mapFromWorld[2][3], 0);
+  if (glm::length(rowOfW) < 1e-9) return true;
+  glm::dvec4 at = mapFromWorld * points.light;
+  if (unit) at = {at.x - 0.5 * at.w, at.y - 0.5 * at.w, at.z, at.w};
+  double distance = 0;
+  for (const glm::dvec4& point : points.surface) distance += std::abs((mapFromWorld * point).w);
+  distance /= double(std::max<std::size_t>(points.surface.size(), 1));
+  return std::max({std::abs(at.x), std::abs(at.y), std::abs(at.w)}) <= kOffLight * distance;
+}
+
 /// Share of the light's points that a map agrees with when it is read through `mapFromWorld`, whose
 /// result is -1 to 1 or, with `unit`, 0 to 1 already.
 double agreementThrough(const Image& map, float background, float range,
                         const glm::dmat4& mapFromWorld, bool unit, const LightPoints& points) {
+  if (!looksFromLight(mapFromWorld, unit, points)) return 0;
   std::size_t right = 0, all = 0;
   const auto look = [&](const glm::dvec4& world, bool surface) {
     const glm::dvec4 clip = mapFromWorld * world;
