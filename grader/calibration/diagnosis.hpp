@@ -39,14 +39,17 @@ struct DiagnosisFigures {
 
   /// Counts of each kind of answer, in the order of `Answered`.
   std::array<std::size_t, 4> counts(bool leftOut) const;
-  /// Share of known mistakes, made in another program, whose first answer is right; 0 to 1.
-  double rightShare() const;
+  /// Share of known mistakes whose first answer is right, 0 to 1: made in the reference, as the
+  /// catalogue has them, or `elsewhere`, in right answers that are written in another way.
+  double rightShare(bool elsewhere) const;
   /// Share of unknown mistakes that were given a wrong name; 0 to 1.
   double wrongShare() const;
 };
 
-/// What must hold: least share of right first answers, greatest share of wrong ones.
-inline constexpr double kRightAnswers = 0.95, kWrongAnswers = 0.01;
+/// What must hold: least share of right first answers to the catalogue's mistakes, least share of
+/// those made elsewhere, where a mistake may look like nothing that is known and unknown is the
+/// honest answer, and greatest share of wrong ones.
+inline constexpr double kRightAnswers = 0.95, kRightElsewhere = 0.8, kWrongAnswers = 0.01;
 
 struct DiagnosisOptions {
   std::vector<std::uint64_t> seeds; ///< others than those that the thresholds were chosen on

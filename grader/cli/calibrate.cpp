@@ -164,9 +164,13 @@ void calibrate(const Options& options) {
       parts.back()["diagnosis"] = calibration::toJson(figures);
       pages.back().sections.push_back(calibration::sectionOf(figures));
       tables += pages.back().sections.back().text + "\n\n";
-      if (figures.rightShare() < calibration::kRightAnswers)
-        failures += fmt::format("{}: only {:.1f}% of the diagnoses are right\n", target.id,
-                                100 * figures.rightShare());
+      if (figures.rightShare(false) < calibration::kRightAnswers)
+        failures += fmt::format("{}: only {:.1f}% of the mistakes are named right\n", target.id,
+                                100 * figures.rightShare(false));
+      if (figures.rightShare(true) < calibration::kRightElsewhere)
+        failures += fmt::format("{}: only {:.1f}% of the mistakes are named right in programs that "
+                                "are written in another way\n",
+                                target.id, 100 * figures.rightShare(true));
       if (figures.wrongShare() > calibration::kWrongAnswers)
         failures += fmt::format("{}: {:.1f}% of unknown mistakes are given a wrong name\n",
                                 target.id, 100 * figures.wrongShare());

@@ -105,23 +105,6 @@ double brightness(const Image& student, const Image& reference) {
   return double(*middle);
 }
 
-bool isConstant(const Image& image, float& value) {
-  float low = image.values()[0], high = low;
-  for (int c = 0; c < image.channels(); ++c) {
-    float least = 1e9f, most = -1e9f;
-    for (int y = 0; y < image.height(); ++y)
-      for (int x = 0; x < image.width(); ++x) {
-        least = std::min(least, image.at(x, y, c));
-        most = std::max(most, image.at(x, y, c));
-      }
-    if (!(most - least <= kTolerance)) return false; // NaN, too
-    low = std::min(low, least);
-    high = std::max(high, most);
-  }
-  value = high;
-  return true;
-}
-
 /// The reference as this change would have it, or nothing where it does not apply.
 std::optional<Image> applied(const Generic& change, const Pair& pair) {
   const Image& image = *pair.reference;
@@ -191,9 +174,8 @@ double explains(const Generic& change, const Pair& pair) {
 bool plainlyOneColour(std::span<const Pair> pairs, Generic& found) {
   bool black = true;
   for (const Pair& pair : pairs) {
-    float value = 0;
-    if (!isConstant(*pair.student, value)) return false;
-    black = black && value <= kTolerance;
+    if (!isOneColour(*pair.student)) return false;
+    black = black && std::ranges::max(pair.student->values()) <= kTolerance;
   }
   found = {black ? Kind::black : Kind::constant, 0, 0, 1, 1};
   return true;

@@ -19,6 +19,10 @@ constexpr float kWhole = 0.15f;
 constexpr double kNothing = 2e-4;
 /// A picture is wrong from this share of it on.
 constexpr double kWrong = 1e-3;
+/// Where a program filters in another way, at most this share of a pass differs.
+constexpr double kAnotherWay = 0.1;
+/// Windows that are as unlike as this may be the same.
+constexpr double kNoise = 0.002;
 /// Side of the window that is searched for most of what is wrong, in pixels of reduced pictures.
 constexpr int kWindow = 12;
 /// What all passes of a scene count together, where its windows count 1.
@@ -115,6 +119,19 @@ std::vector<float> distance(const Image* a, const Image* b) {
     }
   }
   return distances;
+}
+
+bool isOneColour(const Image& picture) {
+  for (int c = 0; c < picture.channels(); ++c) {
+    float low = picture.at(0, 0, c), high = low;
+    for (int y = 0; y < picture.height(); ++y)
+      for (int x = 0; x < picture.width(); ++x) {
+        low = std::min(low, picture.at(x, y, c));
+        high = std::max(high, picture.at(x, y, c));
+      }
+    if (!(high - low <= kTolerance)) return false;
+  }
+  return true;
 }
 
 std::optional<FirstWrong> firstWrong(const Run& student, const Run& reference) {
@@ -219,18 +236,17 @@ Likeness likeness(const Run& student, const Run& signature, const Run& reference
 
 namespace {
 
-bool isOneColour(const Image& picture) {
-  for (int c = 0; c < picture.channels(); ++c)
-    for (int y = 0; y < picture.height(); ++y)
-      for (int x = 0; x < picture.width(); ++x)
-        if (std::abs(picture.at(x, y, c) - picture.at(0, 0, c)) > kTolerance) return false;
-  return true;
-}
-
 /// Has the first wrong pass one value all over, or is there none?
 bool passShowsNothing(const Run& student, const std::optional<FirstWrong>& first) {
   return !first || !first->slot || first->missing ||
          isOneColour(*pictureAt(student[first->scene], *first->slot));
+}
+
+/// Is a picture of objects wrong, or more of a pass than another filter or size changes? Nothing
+/// that only comes later explains that. Depths depend on the frustum, which anybody may choose.
+bool passIsLost(const std::optional<FirstWrong>& first) {
+  return first && first->slot && !first->slot->depth && !first->missing &&
+         (first->slot->mesh || first->share > kAnotherWay);
 }
 
 bool windowsShowNothing(const Run& student) {
@@ -276,22 +292,26 @@ std::optional<Identified> KnownFaults::identify(const Run& student, const Thresh
       else
         found.next = std::max(found.next, likes[i].*kind);
     }
-    const double unlike = (1 - found.likeness) / std::max(1 - found.next, 1e-9);
+    // Behind passes that are made in another way, windows are never quite alike.
+    const double noise = how == Identified::By::windows ? kNoise : 0;
+    const double unlike = std::max(1 - found.likeness, noise) / std::max(1 - found.next, 1e-9);
     if (unlike > thresholds.margin) return std::nullopt;
     found.confidence = found.likeness * (1 - unlike);
     if (found.confidence < thresholds.confidence) return std::nullopt;
     return found;
   };
   if (auto found = by(&Likeness::all, Identified::By::everything, thresholds.like)) return found;
+  const std::optional<FirstWrong> ours = firstWrong(student, reference);
   if (auto found = windowsShowNothing(student)
                        ? std::nullopt
                        : by(&Likeness::windows, Identified::By::windows, thresholds.like)) {
-    const auto first = firstWrong(signatures[found->signature].run, reference);
-    if (!first || !first->slot || likes[found->signature].first >= 0.5 ||
-        found->likeness >= thresholds.same)
+    const auto theirs = firstWrong(signatures[found->signature].run, reference);
+    const bool onlyInWindow = !theirs || !theirs->slot;
+    if (likes[found->signature].first >= 0.5 ||
+        (!passIsLost(ours) && (onlyInWindow || found->likeness >= thresholds.same)))
       return found;
   }
-  if (passShowsNothing(student, firstWrong(student, reference))) return std::nullopt;
+  if (passShowsNothing(student, ours)) return std::nullopt;
   return by(&Likeness::first, Identified::By::firstPass, thresholds.firstLike);
 }
 

@@ -24,6 +24,9 @@ struct Signature {
 /// the tolerance. Null stands for a picture that was not made. Another size is resized to `a`'s.
 std::vector<float> distance(const Image* a, const Image* b);
 
+/// Has every channel one value all over, within the tolerance?
+bool isOneColour(const Image& picture);
+
 /// The first picture of a run that isn't the reference's, in the order in which they are made.
 struct FirstWrong {
   std::size_t scene = 0;

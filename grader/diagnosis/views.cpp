@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 
 namespace ggrade::diagnosis {
 
@@ -86,6 +87,17 @@ bool showsMesh(const trace::Trace& trace, const trace::PassRecord& pass) {
   return false;
 }
 
+/// Did this pass only clear what a later one draws into? When that happens is the program's affair.
+bool isDrawnOver(std::span<const trace::PassRecord> passes, std::size_t pass, std::uint32_t a) {
+  const trace::ImageRef& image = passes[pass].images[a];
+  return passes[pass].kind == std::uint32_t(trace::PassKind::draw) && passes[pass].draws == 0 &&
+         std::ranges::any_of(passes.subspan(pass + 1), [&](const trace::PassRecord& later) {
+           return later.draws > 0 && later.images[a].kind == image.kind &&
+                  later.images[a].name == image.name && later.images[a].level == image.level &&
+                  later.images[a].layer == image.layer;
+         });
+}
+
 } // namespace
 
 std::string words(const Slot& slot) {
@@ -142,7 +154,8 @@ SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace) {
   for (std::size_t i = 0; i < passes.size(); ++i)
     for (std::uint32_t a : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, trace::kDepth}) {
       const trace::ImageRef& image = passes[i].images[a];
-      if (image.kind != std::uint32_t(trace::ImageKind::texture)) continue;
+      if (image.kind != std::uint32_t(trace::ImageKind::texture) || isDrawnOver(passes, i, a))
+        continue;
       const trace::CopyRecord* copy = trace.copyOf(trace.indexOf(passes[i]), a);
       if (!copy) continue;
       PassView view;

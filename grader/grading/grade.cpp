@@ -235,6 +235,38 @@ Judging judgeAlone(const Target& target, const GradeOptions& options) {
   };
 }
 
+/// Judges the scenes and, where a pass failed, what follows it once more with the reference's. A
+/// fault of ours makes the result not gradable.
+void judgeAll(const FirstRun& first, const fs::path& work, report::Result& result) {
+  std::string problem;
+  {
+    const Stopwatch time(result, "judge");
+    result.items = first.judging(first.folders, work, problem, {});
+  }
+  if (problem.empty()) {
+    int runs = 0;
+    {
+      const Stopwatch time(result, "carry forward");
+      runs = carryForward(first, result.items, problem);
+    }
+    if (runs == 0) result.timings.pop_back();
+  }
+  if (!problem.empty()) {
+    result.outcome = Outcome::notGradable;
+    result.detail = problem;
+  }
+}
+
+/// Says so where two runs of the first scene differ.
+void nameUnsteady(const Rendering& first, const Rendering& again, report::Result& result) {
+  if (result.scenes.empty()) return;
+  report::Scene& scene = result.scenes[0];
+  const std::string unsteady = compareRuns(first, again, scene);
+  if (unsteady.empty()) return;
+  scene.messages.insert(scene.messages.begin(), unsteady);
+  if (result.outcome == Outcome::graded) result.detail = scene.name + ": " + unsteady;
+}
+
 } // namespace
 
 void addUp(report::Result& result) {
@@ -295,60 +327,35 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   };
   for (std::size_t i = 0; i < folders.size(); ++i) folders[i].student = studentFolder(i);
   const fs::path shaders = work.makeVisible("shaders");
-  std::vector<Rendering> renderings;
-  std::optional<Rendering> again;
+  Renderings renderings;
   {
     const Stopwatch time(result, "render");
     progress("rendering", 1, steps);
-    Renderings all = renderScenes(target, built, plan, references, studentFolder, shaders, options,
-                                  [&](std::size_t done) { progress("rendering", done, steps); });
-    renderings = std::move(all.scenes);
-    again = std::move(all.again);
+    renderings = renderScenes(target, built, plan, references, studentFolder, shaders, options,
+                              [&](std::size_t done) { progress("rendering", done, steps); });
   }
-  nameOutcome(renderings, folders, result);
+  nameOutcome(renderings.scenes, folders, result);
 
   progress("judging", steps - 1, steps);
   // The pictures for the report are compared while the rubric judges.
   std::future<std::vector<report::Scene>> scenes = std::async(std::launch::async, [&] {
     std::vector<report::Scene> all;
     if (options.pictures)
-      for (std::size_t i = 0; i < renderings.size(); ++i)
-        all.push_back(describe(folders[i], renderings[i]));
+      for (std::size_t i = 0; i < folders.size(); ++i)
+        all.push_back(describe(folders[i], renderings.scenes[i]));
     return all;
   });
   const Judging judging = options.judging ? options.judging : judgeAlone(target, options);
-  std::string problem;
-  {
-    const Stopwatch time(result, "judge");
-    result.items = judging(folders, work.path(), problem, {});
-  }
-  if (problem.empty()) {
-    int runs = 0;
-    {
-      const Stopwatch time(result, "carry forward");
-      runs = carryForward(
-          {target, plan, references, built.program, {shaders}, folders, judging, options.threads},
-          result.items, problem);
-    }
-    if (runs == 0) result.timings.pop_back();
-  }
-  if (!problem.empty()) {
-    result.outcome = Outcome::notGradable;
-    result.detail = problem;
-  }
+  judgeAll({target, plan, references, built.program, {shaders}, folders, judging, options.threads},
+           work.path(), result);
   addUp(result);
   result.scenes = scenes.get();
-  if (again && !result.scenes.empty())
-    if (const std::string unsteady = compareRuns(renderings[0], *again, result.scenes[0]);
-        !unsteady.empty()) {
-      result.scenes[0].messages.insert(result.scenes[0].messages.begin(), unsteady);
-      if (result.outcome == Outcome::graded) result.detail = folders[0].name + ": " + unsteady;
-    }
-  if (options.examining && !renderings.empty()) {
+  if (renderings.again) nameUnsteady(renderings.scenes[0], *renderings.again, result);
+  if (options.examining && !folders.empty()) {
+    const Stopwatch time(result, "diagnose");
     Submitted submitted{plan, references, {}, {}};
     for (const rubric::SceneFolders& scene : folders) submitted.folders.push_back(scene.student);
-    submitted.facts = factsOf(renderings[0].capture, submitted.folders[0]);
-    const Stopwatch time(result, "diagnose");
+    submitted.facts = factsOf(renderings.scenes[0].capture, submitted.folders[0]);
     options.examining(submitted, result);
   }
   progress("done", steps, steps);

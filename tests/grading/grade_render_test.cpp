@@ -180,7 +180,9 @@ TEST_F(Render, PassesOfEveryFrameAndEveryStep) {
     EXPECT_GT(pass.at("seconds"), 0.0);
     for (const json& copy : pass.at("copies")) {
       EXPECT_TRUE(fs::exists(out_ / copy.at("image").get<std::string>())) << copy;
-      if (!copy.at("step").is_null()) EXPECT_LT(copy.at("step"), pass.at("steps").size());
+      if (!copy.at("step").is_null()) {
+        EXPECT_LT(copy.at("step"), pass.at("steps").size());
+      }
       ++files;
     }
   }
@@ -352,7 +354,7 @@ TEST(Commands, EveryHelpHasAnExample) {
   const Ended all = runTool({"--help"});
   EXPECT_EQ(all.exitCode, 0);
   EXPECT_THAT(all.out, HasSubstr("Examples:"));
-  for (const std::string& command : {"list", "render", "grade", "demo", "derive", "compare"}) {
+  for (const std::string command : {"list", "render", "grade", "demo", "derive", "compare"}) {
     const Ended help = runTool({command, "--help"});
     EXPECT_EQ(help.exitCode, 0) << command;
     EXPECT_THAT(help.out, ContainsRegex("Examples?:?\n  ggrade " + command));

@@ -96,15 +96,36 @@ TEST(DiagnosisMatch, HalfWayBetweenTwoIsUnknown) {
   EXPECT_FALSE(known.identify(between));
 }
 
+/// The box of "box white" in the window, behind passes that hold something else.
+Run boxBehind(const Image& depth, const Image& texture) {
+  return {samples::views(depth, texture, painted(kFirst, 0.5f, 0.1f, 0.9f, 0.4f, 1),
+                         painted(kSecond, 0.5f, 0.1f, 0.9f, 0.4f, 1))};
+}
+
 TEST(DiagnosisMatch, TheWindowSuffices) {
-  // The texture is another one, as in a program that is made in another way.
-  diagnosis::Run student = {samples::views(kDepth, Image(256, 256, 3, 0.7f),
-                                           painted(kFirst, 0.5f, 0.1f, 0.9f, 0.4f, 1),
-                                           painted(kSecond, 0.5f, 0.1f, 0.9f, 0.4f, 1))};
-  const auto found = faults().identify(student);
+  // The depths are others, as those of another frustum in a program that is made in another way.
+  const auto found =
+      faults().identify(boxBehind(painted(kDepth, 0.2f, 0.2f, 0.7f, 0.7f, 0.8f), kTexture));
   ASSERT_TRUE(found);
   EXPECT_EQ(found->signature, 1u);
   EXPECT_EQ(found->by, Identified::By::windows);
+}
+
+TEST(DiagnosisMatch, AFaultInTheWindowExplainsNoPassThatIsLost) {
+  const Image wrong = painted(kTexture, 0.2f, 0.2f, 0.7f, 0.7f, 1);
+  EXPECT_FALSE(faults().identify(boxBehind(kDepth, wrong)));
+  // Of a level, so much may differ as another filter changes.
+  const auto withLevel = [](diagnosis::Run run, float left) {
+    run[0].passes.push_back(
+        {{false, false, 1, 0}, 160, 120, reduced(painted(kFirst, left, 0, 1, 1, 1), 3)});
+    return run;
+  };
+  KnownFaults known = faults();
+  known.reference = withLevel(known.reference, 1);
+  for (Signature& signature : known.signatures) signature.run = withLevel(signature.run, 1);
+  const diagnosis::Run box = boxBehind(kDepth, kTexture);
+  EXPECT_TRUE(known.identify(withLevel(box, 0.95f)));
+  EXPECT_FALSE(known.identify(withLevel(box, 0.8f)));
 }
 
 TEST(DiagnosisMatch, TheFirstWrongPassSuffices) {

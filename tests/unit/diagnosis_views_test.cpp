@@ -62,6 +62,13 @@ TEST(DiagnosisViews, APassIsFoundByWhatItIs) {
   EXPECT_TRUE(quad.find({false, false, 1, 0})); // 2 pixels of the window's 4
   EXPECT_EQ(words(quad.passes[0].slot), "the texture at 1/2 of the window's size");
   EXPECT_TRUE(views({}, trace).passes.empty());
+  // What is cleared in a pass of its own shows only where nothing is drawn into it later.
+  trace.passes[0].draws = 0;
+  EXPECT_EQ(views(frames, trace).passes.size(), 1u);
+  trace.passes.insert(trace.passes.begin() + 1, trace.passes[0]);
+  trace.passes[1].draws = 1;
+  trace.passes[1].firstStep = trace.passes[1].stepCount = 0;
+  EXPECT_TRUE(views(frames, trace).passes.empty()); // copied was the first alone
 }
 
 TEST(DiagnosisViews, FilesHoldWhatDiffersFromTheBase) {
