@@ -23,6 +23,9 @@ namespace {
 constexpr int kEdge = 2;
 /// Least difference that light makes for a pixel to be told apart from one in shadow.
 constexpr float kLeastLight = 10.0f / 255;
+/// The same on objects: where they turn away from the light, a constant bias may leave them spotted
+/// with what little light there is.
+constexpr float kLeastOnObjects = 24.0f / 255;
 /// A map may be drawn from this far off the light, as a share of the objects' distance.
 constexpr double kOffLight = 0.1;
 
@@ -69,7 +72,7 @@ const Regions& regionsOf(const View& view, std::size_t frame) {
     const Image& unshadowed = probe(view, "unshadowed", frame);
     const Mask measurable = differenceMask(unlit, unshadowed, kLeastLight);
     const Mask objects = shown(probe(view, "objects", frame));
-    regions.objects = erode(objects, 1) & measurable;
+    regions.objects = erode(objects, 1) & differenceMask(unlit, unshadowed, kLeastOnObjects);
     regions.averted = objects & ~measurable;
     regions.floor = shown(probe(view, "floor", frame)) & ~dilate(objects, 1) & measurable;
     regions.shadow = below(visibility(view.scene.reference.at(frame), unlit, unshadowed), 0.5f) &

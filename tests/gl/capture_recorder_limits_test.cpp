@@ -125,8 +125,9 @@ TEST(CaptureHostile, NonsenseIsNotRecordedAsIfItHadWorked) {
   ASSERT_FALSE(capture.trace.passes.empty());
   EXPECT_EQ(capture.trace.passes[0].cleared, 0U);
   for (const trace::PassRecord& pass : capture.trace.passes) {
-    if (pass.kind == static_cast<std::uint32_t>(trace::PassKind::blit))
+    if (pass.kind == static_cast<std::uint32_t>(trace::PassKind::blit)) {
       EXPECT_EQ(pass.written, 0U) << "GL refused it";
+    }
   }
   EXPECT_EQ(samplesOf(capture.trace, 0),
             std::vector<std::string>{"uTexture unit 79: nothing, incomplete"});

@@ -77,6 +77,15 @@ TEST(Shadow, ObjectsUnderTheFloorSpoilThePictureThoughTheyAreSmall) {
   EXPECT_THAT(graded.message("shadow.keep_picture"), HasSubstr("of the objects' pixels"));
 }
 
+TEST(Shadow, WhatTheEyeSeesAgreesWithItselfAndIsNoMap) {
+  const Graded graded = gradeShadow(std::move(Submission::solution().replace(
+      "floor.cpp", "drawObjects(shadowMap->program, camera.projection, camera.view,",
+      "drawObjects(shadowMap->program, projection, view,")));
+  EXPECT_EQ(graded.earned("shadow.map"), 0);
+  EXPECT_THAT(graded.message("shadow.map"), HasSubstr("public: no matrix of the submission fits"));
+  EXPECT_EQ(graded.earned("shadow.floor"), 25); // with the reference's map in its place
+}
+
 TEST(Shadow, AMapThatIsNeverClearedIsNoMap) {
   const Graded graded = gradeShadow(Submission::example("shadow_not_cleared"));
   EXPECT_EQ(graded.earned("shadow.map"), 0);
