@@ -60,7 +60,7 @@ Mask below(const Image& image, float value) {
 struct Regions {
   Mask floor, objects; // where light makes a difference, one pixel away from objects' outlines
   Mask shadow;         // of both
-  Mask averted;        // objects' sides that the light can't reach: light makes no difference there
+  Mask averted;        // where light makes no difference: nobody can tell whether that is in shadow
 };
 
 const Regions& regionsOf(const View& view, std::size_t frame) {
@@ -73,8 +73,9 @@ const Regions& regionsOf(const View& view, std::size_t frame) {
     const Mask measurable = differenceMask(unlit, unshadowed, kLeastLight);
     const Mask objects = shown(probe(view, "objects", frame));
     regions.objects = erode(objects, 1) & differenceMask(unlit, unshadowed, kLeastOnObjects);
-    regions.averted = objects & ~measurable;
-    regions.floor = shown(probe(view, "floor", frame)) & ~dilate(objects, 1) & measurable;
+    const Mask floor = shown(probe(view, "floor", frame));
+    regions.averted = (objects | floor) & ~measurable;
+    regions.floor = floor & ~dilate(objects, 1) & measurable;
     regions.shadow = below(visibility(view.scene.reference.at(frame), unlit, unshadowed), 0.5f) &
                      (regions.objects | regions.floor);
   }
