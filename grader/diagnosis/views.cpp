@@ -92,9 +92,7 @@ bool isDrawnOver(std::span<const trace::PassRecord> passes, std::size_t pass, st
   const trace::ImageRef& image = passes[pass].images[a];
   return passes[pass].kind == std::uint32_t(trace::PassKind::draw) && passes[pass].draws == 0 &&
          std::ranges::any_of(passes.subspan(pass + 1), [&](const trace::PassRecord& later) {
-           return later.draws > 0 && later.images[a].kind == image.kind &&
-                  later.images[a].name == image.name && later.images[a].level == image.level &&
-                  later.images[a].layer == image.layer;
+           return later.draws > 0 && sameImage(later.images[a], image);
          });
 }
 

@@ -21,7 +21,7 @@ double creditOf(const report::Item& item) {
   return credit;
 }
 
-bool sameImage(const trace::ImageRef& a, const trace::ImageRef& b) {
+bool madeAlike(const trace::ImageRef& a, const trace::ImageRef& b) {
   return a.kind == b.kind && a.target == b.target && a.level == b.level && a.layer == b.layer &&
          a.format == b.format && a.width == b.width && a.height == b.height &&
          a.samples == b.samples;
@@ -31,7 +31,7 @@ bool samePass(const trace::PassRecord& a, const trace::PassRecord& b) {
   return a.kind == b.kind && a.status == b.status && a.drawBuffers == b.drawBuffers &&
          a.cleared == b.cleared && a.written == b.written && a.draws == b.draws &&
          a.vertices == b.vertices && std::equal(a.viewport, a.viewport + 4, b.viewport) &&
-         std::equal(a.images, a.images + trace::kAttachments, b.images, sameImage);
+         std::equal(a.images, a.images + trace::kAttachments, b.images, madeAlike);
 }
 
 /// A program that does something else once its outputs are replaced shows nothing about what it did

@@ -19,10 +19,6 @@ std::uint32_t attachmentOf(const PassRecord& writer, const ImageRef& image) {
 
 } // namespace
 
-bool sameImage(const ImageRef& a, const ImageRef& b) {
-  return std::tie(a.kind, a.name, a.level, a.layer) == std::tie(b.kind, b.name, b.level, b.layer);
-}
-
 bool drawsToWindow(const PassRecord& pass) {
   return std::ranges::any_of(pass.images, [](const ImageRef& image) {
     return image.kind == std::uint32_t(ImageKind::window);

@@ -47,8 +47,6 @@ private:
   std::vector<PassRead> reads_;
 };
 
-/// Is it the same place that is drawn into: image, level and layer?
-bool sameImage(const trace::ImageRef& a, const trace::ImageRef& b);
 bool drawsToWindow(const trace::PassRecord& pass);
 
 } // namespace ggrade::report

@@ -67,6 +67,11 @@ struct ImageRef {
   std::uint32_t samples; ///< 0 or 1: not multisampled
 };
 
+/// Is it the same place that is drawn into: image, level and layer?
+inline bool sameImage(const ImageRef& a, const ImageRef& b) {
+  return a.kind == b.kind && a.name == b.name && a.level == b.level && a.layer == b.layer;
+}
+
 struct PassRecord {
   std::uint32_t frame;
   std::uint32_t kind;        ///< PassKind

@@ -77,10 +77,6 @@ GLenum bindingOf(GLenum target) {
   }
 }
 
-bool sameImage(const ImageRef& a, const ImageRef& b) {
-  return a.kind == b.kind && a.name == b.name && a.level == b.level && a.layer == b.layer;
-}
-
 } // namespace
 
 std::uint32_t attachmentOf(GLint buffer) {
