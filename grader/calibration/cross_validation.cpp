@@ -107,8 +107,7 @@ Section sectionOf(const CrossValidation& result) {
       "programs, and judged on seed {} with other tolerances than the published ones ({}). Chosen "
       "on the first half alone, the tolerances would be {}: they get {} of the second half wrong. "
       "Chosen on the second, they would be {}: they get {} of the first half wrong. The published "
-      "ones "
-      "get {} of {} wrong. The table counts programs that break a limit, first half + second "
+      "ones get {} of {} wrong. The table counts programs that break a limit, first half + second "
       "half.",
       result.programs[0], result.programs[1], fmt::join(result.seeds, ", "),
       nameOf(publishedSetting()), nameOf(result.chosen[0]), result.errorsOnOther[0],

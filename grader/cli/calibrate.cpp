@@ -114,7 +114,7 @@ calibration::DiagnosisFigures diagnoseAll(const Options& options, const Target& 
                                           const grading::Catalogue& catalogue) {
   Progress progress("calibrating " + target.id);
   calibration::DiagnosisOptions how;
-  how.seeds = {101, 102};
+  how.seeds = {107, 108};
   if (options.haveFirstSeed) {
     how.seeds.clear();
     for (unsigned i = 0; i < options.seeds; ++i) how.seeds.push_back(options.firstSeed + i);
