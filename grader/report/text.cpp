@@ -77,6 +77,16 @@ std::size_t cutBefore(const std::string& text, std::size_t at, std::size_t slack
 
 } // namespace
 
+std::size_t validUtf8(std::string_view text) {
+  std::size_t i = 0;
+  while (i < text.size()) {
+    const std::size_t bytes = decode(text, i).bytes;
+    if (bytes == 0) break;
+    i += bytes;
+  }
+  return i;
+}
+
 std::string sanitize(std::string_view text) {
   std::string clean;
   clean.reserve(text.size());

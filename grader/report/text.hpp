@@ -8,6 +8,9 @@
 
 namespace ggrade::report {
 
+/// Bytes of `text` before the first one that isn't UTF-8; all of them if it is UTF-8.
+std::size_t validUtf8(std::string_view text);
+
 /// Makes any bytes valid UTF-8 that shows what it holds.
 /// Terminal escape sequences are taken out, CR and CRLF become LF. Bytes that aren't UTF-8, control
 /// characters other than tab and LF, the characters that turn the direction of text (Trojan Source,
