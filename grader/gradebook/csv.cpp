@@ -22,11 +22,10 @@ std::size_t lineEnds(std::string_view text) {
   return count;
 }
 
-// Any delimiter asks for quotes, so that no text can change what the next reader takes as one.
-bool needsQuotes(std::string_view text) {
+bool needsQuotes(std::string_view text, std::string_view delimiters) {
   if (text.empty()) return false;
-  return text.find_first_of(",;\t\"\r\n") != text.npos || text.front() == ' ' ||
-         text.back() == ' ' || text.starts_with(kByteOrderMark);
+  return text.find_first_of(delimiters) != text.npos || text.find_first_of("\"\r\n") != text.npos ||
+         text.front() == ' ' || text.back() == ' ' || text.starts_with(kByteOrderMark);
 }
 
 std::string quoted(std::string_view text) {
@@ -40,8 +39,8 @@ std::string quoted(std::string_view text) {
 
 } // namespace
 
-std::string csvCell(std::string_view text) {
-  return needsQuotes(text) ? quoted(text) : std::string(text);
+std::string csvCell(std::string_view text, std::string_view delimiters) {
+  return needsQuotes(text, delimiters) ? quoted(text) : std::string(text);
 }
 
 Csv::Csv(std::string_view bytes, const std::string& fileName)
@@ -183,7 +182,10 @@ std::string Csv::bytes() const {
   std::size_t copied = 0;
   for (const auto& [at, replacement] : replaced_) {
     all.append(bytes_, copied, cells_[at].begin - copied);
-    all += replacement.isQuoted ? quoted(replacement.text) : csvCell(replacement.text);
+    // In the first line any delimiter could be taken for the one of the table.
+    const std::string_view delimiters =
+        at < columns(0) ? kDelimiters : std::string_view(&delimiter_, 1);
+    all += replacement.isQuoted ? quoted(replacement.text) : csvCell(replacement.text, delimiters);
     copied = cells_[at].end;
   }
   return all.append(bytes_, copied);

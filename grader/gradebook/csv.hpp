@@ -70,8 +70,8 @@ private:
   std::map<std::size_t, Replacement> replaced_; // by index in cells_
 };
 
-/// `text` as one cell: quoted if it holds a delimiter, a quote or a line end, or starts or ends
-/// with a blank.
-std::string csvCell(std::string_view text);
+/// `text` as one cell: quoted if it holds one of `delimiters`, a quote or a line end, or starts or
+/// ends with a blank.
+std::string csvCell(std::string_view text, std::string_view delimiters = ",;\t");
 
 } // namespace ggrade::gradebook
