@@ -1,0 +1,136 @@
+#include "intake/contents.hpp"
+
+#include "intake/names.hpp"
+#include "intake/packed.hpp"
+#include "report/text.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace ggrade::intake {
+namespace {
+
+constexpr std::size_t kLongestShown = 160; ///< code points of a name in a message
+
+bool isDrive(std::string_view path) {
+  return path.size() >= 2 && path[1] == ':' &&
+         ((path[0] >= 'a' && path[0] <= 'z') || (path[0] >= 'A' && path[0] <= 'Z'));
+}
+
+std::string reasonFor(const Entry& entry, const Limits& limits) {
+  switch (entry.kind) {
+  case Kind::tooLarge:
+    return fmt::format("{} bytes or more, a file may have {} MiB", entry.size,
+                       limits.fileBytes >> 20);
+  case Kind::encrypted:
+    return "is encrypted: ask for an upload without a password";
+  case Kind::damaged:
+    return "is damaged, or compressed in a way that is not read";
+  case Kind::symbolicLink:
+    return "is a symbolic link";
+  case Kind::hardLink:
+    return "is a hard link";
+  case Kind::device:
+    return "is a device";
+  case Kind::fifo:
+    return "is a FIFO";
+  case Kind::socket:
+    return "is a socket";
+  default:
+    return {};
+  }
+}
+
+} // namespace
+
+SafePath safePath(std::string_view bytes) {
+  const std::optional<std::string> name = decodeName(bytes);
+  SafePath result;
+  result.shown = report::sanitizeLine(name ? *name : decodeOrEscape(bytes), kLongestShown);
+  const auto refuse = [&](std::string reason) {
+    result.refused = std::move(reason);
+    return result;
+  };
+  if (bytes.empty()) {
+    result.shown = "(no name)";
+    return refuse("has no name");
+  }
+  if (!name) return refuse("its name is neither UTF-8 nor Shift_JIS (CP932)");
+  if (hasControl(*name)) return refuse("its name holds a control character");
+  // Decoded first: the second byte of a character may be a backslash in CP932.
+  std::string path = *name;
+  std::replace(path.begin(), path.end(), '\\', '/');
+  if (path.front() == '/') return refuse("is an absolute path");
+  if (isDrive(path)) return refuse("names a drive");
+  std::size_t depth = 0;
+  for (std::size_t start = 0, end = 0; end != path.npos; start = end + 1) {
+    end = path.find('/', start);
+    const std::string component = path.substr(start, end == path.npos ? end : end - start);
+    if (component.empty() || component == ".") continue;
+    if (component == "..") return refuse("leads out of its folder");
+    if (component.size() > kLongestComponent)
+      return refuse(
+          fmt::format("a name of {} bytes, {} are allowed", component.size(), kLongestComponent));
+    if (++depth > kDeepest) return refuse(fmt::format("more than {} folders deep", kDeepest));
+    result.path += (result.path.empty() ? "" : "/") + component;
+  }
+  if (result.path.empty()) return refuse("has no name");
+  return result;
+}
+
+void Contents::add(const Entry& entry) {
+  if (entry.kind == Kind::clutter) {
+    if (++clutterCount_ > limits_.clutter)
+      throw UploadProblem(fmt::format("holds more than {} files and folders", limits_.clutter));
+    ++clutter_[std::string(entry.name)];
+    return;
+  }
+  if (++entries_ > limits_.entries)
+    throw UploadProblem(fmt::format("holds more than {} files and folders", limits_.entries));
+  if (entry.kind == Kind::folder) return; // made for the files in it
+  const SafePath name = safePath(entry.name);
+  std::string reason = reasonFor(entry, limits_);
+  if (reason.empty()) reason = name.refused.empty() ? conflict(name.path) : name.refused;
+  if (!reason.empty()) return refuse(name.shown, reason);
+
+  bytes_ += entry.bytes.size();
+  if (bytes_ > limits_.bytes)
+    throw UploadProblem(fmt::format("holds more than {} MiB of files", limits_.bytes >> 20));
+  files_.push_back({name.path, std::string(entry.bytes), entry.modified});
+}
+
+void Contents::refuse(std::string_view shownName, std::string_view reason) {
+  refused_.push_back(fmt::format("{}: {}", shownName, reason));
+}
+
+std::string Contents::conflict(const std::string& path) {
+  const std::string folded = caseFolded(path);
+  const auto [before, isNew] = taken_.try_emplace(folded, path);
+  if (!isNew && before->second == path) return "is there twice: the first counts";
+  if (!isNew) return fmt::format("differs from {} in case only: the first counts", before->second);
+  if (folders_.count(folded)) {
+    taken_.erase(before);
+    return "is a folder, too: that counts";
+  }
+  std::vector<std::string> above;
+  for (std::size_t end = folded.find('/'); end != folded.npos; end = folded.find('/', end + 1)) {
+    above.push_back(folded.substr(0, end));
+    if (!taken_.count(above.back())) continue;
+    taken_.erase(before);
+    return fmt::format("{} is a file, too: that counts", path.substr(0, path.rfind('/')));
+  }
+  folders_.insert(above.begin(), above.end());
+  return {};
+}
+
+std::string Contents::clutterRemark() const {
+  if (clutter_.empty()) return {};
+  std::vector<std::string> names;
+  for (const auto& [name, count] : clutter_) names.push_back(name);
+  return fmt::format("passed over {} {}: {}", clutterCount_,
+                     clutterCount_ == 1 ? "entry" : "entries", fmt::join(names, ", "));
+}
+
+} // namespace ggrade::intake

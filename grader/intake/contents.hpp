@@ -1,0 +1,61 @@
+#pragma once
+/// \file
+/// The files of an upload, whatever it came in, and what was refused.
+
+#include "intake/bundle.hpp"
+
+#include <cstdint>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ggrade::intake {
+
+/// A path inside an upload: relative, `/` between components, NFC; or why there is none.
+struct SafePath {
+  std::string path;
+  std::string refused; ///< half a sentence; empty if `path` is safe to write to
+  std::string shown;   ///< for messages, printable
+};
+
+/// \param bytes a name as an archive or a file system has it
+SafePath safePath(std::string_view bytes);
+
+struct File {
+  std::string path; ///< safe
+  std::string bytes;
+  std::int64_t modified = 0; ///< seconds since 1970
+};
+
+class Contents {
+public:
+  explicit Contents(const Limits& limits) : limits_(limits) {}
+
+  /// Takes a file, refuses something else by name, counts clutter. Of names that are equal, or
+  /// differ in case only, the first counts. Throws UploadProblem beyond the limits.
+  void add(const Entry& entry);
+  void refuse(std::string_view shownName, std::string_view reason);
+
+  const std::vector<File>& files() const { return files_; }
+  std::vector<File> takeFiles() { return std::move(files_); }
+  const std::vector<std::string>& refused() const { return refused_; } ///< "name: reason"
+  /// "3 entries were passed over: .DS_Store, __MACOSX"; empty if there are none.
+  std::string clutterRemark() const;
+
+private:
+  /// Why no file may stand at `path`, or "".
+  std::string conflict(const std::string& path);
+
+  Limits limits_;
+  std::vector<File> files_;
+  std::vector<std::string> refused_;
+  std::map<std::string, std::size_t> clutter_;
+  std::map<std::string, std::string> taken_; ///< path by case-folded path, of files
+  std::set<std::string> folders_;            ///< of files, case-folded
+  std::size_t entries_ = 0;
+  std::size_t clutterCount_ = 0;
+  std::uint64_t bytes_ = 0;
+};
+
+} // namespace ggrade::intake

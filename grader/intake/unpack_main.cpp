@@ -1,0 +1,37 @@
+// ggrade-unpack ARCHIVE BUNDLE ENTRIES CLUTTER BYTES FILE_BYTES. Started by ggrade::intake in the
+// sandbox, never by hand. Exit code 1 with one sentence on standard error where the archive is
+// refused.
+#include "intake/archive_reader.hpp"
+
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <stdexcept>
+
+int main(int argc, char** argv) {
+  using namespace ggrade::intake;
+  if (argc != 7) {
+    std::fputs("This program is part of ggrade's intake; ggrade starts it.\n", stderr);
+    return 2;
+  }
+  // libarchive hands names over in the locale's encoding.
+  if (!std::setlocale(LC_CTYPE, "C.UTF-8")) {
+    std::fputs("the locale C.UTF-8 is missing\n", stderr);
+    return 2;
+  }
+  Limits limits;
+  limits.entries = std::strtoull(argv[3], nullptr, 10);
+  limits.clutter = std::strtoull(argv[4], nullptr, 10);
+  limits.bytes = std::strtoull(argv[5], nullptr, 10);
+  limits.fileBytes = std::strtoull(argv[6], nullptr, 10);
+  try {
+    std::ofstream out(argv[2], std::ios::binary);
+    bundleFile(argv[1], limits, out);
+    if (!out.flush()) throw std::runtime_error("does not fit where it is unpacked");
+    return 0;
+  } catch (const std::exception& error) {
+    std::fputs(error.what(), stderr);
+    return 1;
+  }
+}
