@@ -20,6 +20,11 @@ std::string messageOf(archive* source) {
   return text ? text : "no reason given";
 }
 
+[[noreturn]] void unreadable(archive* source) {
+  throw std::runtime_error("can't be read as a zip or tar file (" + messageOf(source) +
+                           "): damaged, cut short, or another kind of archive");
+}
+
 Archive makeReader() {
   Archive reader(archive_read_new(), archive_read_free);
   if (!reader) throw std::runtime_error("needs more memory than there is");
@@ -63,9 +68,7 @@ public:
     for (;;) {
       const int status = archive_read_next_header(reader_.get(), &entry);
       if (status == ARCHIVE_EOF) break;
-      if (status < ARCHIVE_WARN)
-        throw std::runtime_error("can't be read as a zip or tar file (" + messageOf(reader_.get()) +
-                                 "): damaged, cut short, or another kind of archive");
+      if (status < ARCHIVE_WARN) unreadable(reader_.get());
       // One filter beside libarchive's own "none".
       if (archive_filter_count(reader_.get()) > 2)
         throw std::runtime_error("is compressed more than once");
@@ -76,6 +79,7 @@ public:
 
 private:
   void add(archive_entry* entry) {
+    if (archive_entry_size_is_set(entry)) expand(archive_entry_size(entry));
     const char* text = archive_entry_pathname(entry);
     const std::string name = text ? text : "";
     if (const std::string_view clutter = clutterIn(name); !clutter.empty()) {
@@ -123,6 +127,15 @@ private:
                                " MiB of files");
   }
 
+  /// A compressed tar is expanded even where its entries are passed over.
+  void expand(std::int64_t bytes) {
+    expanded_ += static_cast<std::uint64_t>(bytes);
+    if (bytes < 0 || static_cast<std::uint64_t>(bytes) > limits_.expandedBytes ||
+        expanded_ > limits_.expandedBytes)
+      throw std::runtime_error("expands to more than " +
+                               std::to_string(limits_.expandedBytes >> 20) + " MiB");
+  }
+
   [[noreturn]] static void tooMany(std::size_t limit) {
     throw std::runtime_error("holds more than " + std::to_string(limit) + " files and folders");
   }
@@ -134,11 +147,11 @@ private:
   std::size_t entries_ = 0;
   std::size_t clutter_ = 0;
   std::uint64_t bytes_ = 0;
+  std::uint64_t expanded_ = 0;
 };
 
 void bundle(Archive reader, int status, const Limits& limits, std::ostream& out) {
-  if (status < ARCHIVE_WARN)
-    throw std::runtime_error("can't be read (" + messageOf(reader.get()) + ")");
+  if (status < ARCHIVE_WARN) unreadable(reader.get());
   Bundler(std::move(reader), limits, out).run();
 }
 

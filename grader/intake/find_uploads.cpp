@@ -48,7 +48,6 @@ std::vector<Found> listEntries(const fs::path& folder, Remarks& remarks) {
       all.push_back(found);
   }
   std::sort(all.begin(), all.end(), [](const Found& a, const Found& b) { return a.path < b.path; });
-  std::sort(remarks.begin(), remarks.end());
   return all;
 }
 
@@ -270,6 +269,7 @@ Intake findUploads(const fs::path& source, const std::vector<std::string>& wante
                                  "a file for each student",
                                  source.string()));
   makeUnique(intake.uploads);
+  std::sort(intake.remarks.begin(), intake.remarks.end());
   return intake;
 }
 

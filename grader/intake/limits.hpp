@@ -13,6 +13,7 @@ struct Limits {
   std::uint64_t bytes = 32ull << 20;        ///< of all files that are taken
   std::uint64_t fileBytes = 4ull << 20;     ///< of one file; larger ones are refused by name
   std::uint64_t archiveBytes = 64ull << 20; ///< of an archive, as uploaded
+  std::uint64_t expandedBytes = 1ull << 30; ///< of all that an archive says it holds, taken or not
   double cpuSeconds = 10;                   ///< for unpacking one archive
 };
 
@@ -26,6 +27,7 @@ inline constexpr Limits kClassLimits = {
     .bytes = 256ull << 20,
     .fileBytes = 64ull << 20,
     .archiveBytes = 512ull << 20,
+    .expandedBytes = 4ull << 30,
     .cpuSeconds = 60,
 };
 

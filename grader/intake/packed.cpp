@@ -61,7 +61,8 @@ sandbox::Command commandFor(const Places& at, const fs::path& folder, const Limi
                        std::to_string(limits.entries),
                        std::to_string(limits.clutter),
                        std::to_string(limits.bytes),
-                       std::to_string(limits.fileBytes)};
+                       std::to_string(limits.fileBytes),
+                       std::to_string(limits.expandedBytes)};
   if (inside) {
     command.mounts = {{unpackProgram(), program}, {at.archive, archive}};
     command.collect = {{bundle, at.bundle}};

@@ -1,6 +1,6 @@
-// ggrade-unpack ARCHIVE BUNDLE ENTRIES CLUTTER BYTES FILE_BYTES. Started by ggrade::intake in the
-// sandbox, never by hand. Exit code 1 with one sentence on standard error where the archive is
-// refused.
+// ggrade-unpack ARCHIVE BUNDLE ENTRIES CLUTTER BYTES FILE_BYTES EXPANDED_BYTES. Started by
+// ggrade::intake in the sandbox, never by hand. Exit code 1 with one sentence on standard error
+// where the archive is refused.
 #include "intake/archive_reader.hpp"
 
 #include <clocale>
@@ -11,7 +11,7 @@
 
 int main(int argc, char** argv) {
   using namespace ggrade::intake;
-  if (argc != 7) {
+  if (argc != 8) {
     std::fputs("This program is part of ggrade's intake; ggrade starts it.\n", stderr);
     return 2;
   }
@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   limits.clutter = std::strtoull(argv[4], nullptr, 10);
   limits.bytes = std::strtoull(argv[5], nullptr, 10);
   limits.fileBytes = std::strtoull(argv[6], nullptr, 10);
+  limits.expandedBytes = std::strtoull(argv[7], nullptr, 10);
   try {
     std::ofstream out(argv[2], std::ios::binary);
     bundleFile(argv[1], limits, out);
