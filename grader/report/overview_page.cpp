@@ -1,6 +1,6 @@
 #include "report/html.hpp"
 
-#include "report/page.hpp"
+#include "report/page_parts.hpp"
 #include "report/picture.hpp"
 #include "report/templates.hpp"
 #include "report/text.hpp"
@@ -33,7 +33,8 @@ Data rowOf(const Summary& summary) {
   return row;
 }
 
-// "2 complete", "3 lost points", "1 crash": what one wants to know of a class at once.
+} // namespace
+
 Data tallyOf(std::span<const Summary> results) {
   struct Entry {
     std::string word, state;
@@ -60,8 +61,6 @@ Data tallyOf(std::span<const Summary> results) {
   }
   return tally;
 }
-
-} // namespace
 
 std::string overviewPage(std::string_view title, std::string_view intro,
                          std::span<const Summary> results) {

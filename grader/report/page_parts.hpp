@@ -1,13 +1,15 @@
 #pragma once
 /// \file
-/// The parts of a result's page as data for templates/result.mustache.
+/// Parts of pages as data for the templates: of a result's page mostly.
 
 #include "report/page.hpp"
 #include "report/results.hpp"
+#include "report/summary.hpp"
 
 #include <array>
 #include <cstddef>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -30,6 +32,8 @@ struct Audience {
   std::string who() const { return instructor ? "submission" : "yours"; }
 };
 
+/// "2 complete", "3 lost points", "1 crash": what one wants to know of a class at once.
+Data tallyOf(std::span<const Summary> results);
 /// False when empty.
 Data optional(const std::string& trusted);
 /// A list of `{text}`.
