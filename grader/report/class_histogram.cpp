@@ -39,9 +39,9 @@ std::string drawing(const std::vector<std::size_t>& counts, double most) {
     if (i < kBins)
       ticks += labelAt(left, i == 0 ? "start" : "middle", number(double(i) * most / double(kBins)));
   }
-  const bool isAbove = counts.size() > kBins;
-  ticks += labelAt(double(kBins) * width, isAbove ? "middle" : "end", number(most));
-  if (isAbove) ticks += labelAt(100 - width / 2, "middle", "above");
+  // The last label stands under its bin where it means the whole bin, not its left edge.
+  ticks += counts.size() > kBins ? labelAt(100 - width / 2, "middle", "&gt;" + number(most))
+                                 : labelAt(100, "end", number(most));
   return fmt::format("{}<line class=\"axis\" x1=\"0\" x2=\"100%\" y1=\"{}\" y2=\"{}\"/>{}", bars,
                      kBottom, kBottom, ticks);
 }
