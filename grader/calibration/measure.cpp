@@ -36,7 +36,7 @@ private:
   void gradeSeed(std::uint64_t seed) {
     const std::string what = fmt::format("seed {}", seed);
     const ScenePlan plan = grading::drawScenes(target_, solutionFolder_, &seed);
-    const std::string common = commonKey(target_, solutionFolder_, plan);
+    const std::string common = grading::gradingKey(target_, solutionFolder_, plan);
     std::vector<Subject*> missing;
     for (const auto& subject : subjects_) {
       if (!subject->measured.problem.empty()) {

@@ -61,13 +61,6 @@ std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
   return all;
 }
 
-std::string commonKey(const Target& target, const fs::path& solutionFolder,
-                      const grading::ScenePlan& plan) {
-  static const std::string tool = grading::hashOf(readFile("/proc/self/exe"));
-  return tool + target.id + readJson(target.assignment.folder / "assignment.json").dump() +
-         grading::referenceKey(target, solutionFolder) + grading::describe(plan);
-}
-
 fs::path scoreFile(const std::string& key) {
   const fs::path folder = grading::cacheFolder() / "scores";
   fs::create_directories(folder);

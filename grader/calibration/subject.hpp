@@ -28,11 +28,6 @@ std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
                                                  const std::vector<Program>& programs,
                                                  const std::filesystem::path& work);
 
-/// What a grading's score depends on besides the program: this tool, its rubrics, the points, the
-/// reference, and the scenes.
-std::string commonKey(const Target& target, const std::filesystem::path& solutionFolder,
-                      const grading::ScenePlan& plan);
-
 /// Where the grading with this key is kept.
 std::filesystem::path scoreFile(const std::string& key);
 

@@ -25,6 +25,9 @@ std::filesystem::path
 solutionFolder(const std::string& assignment); ///< throws UsageError if there is none
 /// Ends the command (kNoSandbox) with the remedy unless the sandbox holds.
 void requireSandbox();
+/// "bwrap" (see requireSandbox) or "none": what `--sandbox` says for everything that is run from now
+/// on.
+void chooseSandbox(const std::string& word);
 
 /// The folder that --out names, without a slash at its end. Throws UsageError with the remedy,
 /// before any work is done, unless it can be made or replaced (see grading::requireReplaceable).
@@ -34,6 +37,9 @@ void addList(CLI::App& app);
 void addRender(CLI::App& app);
 void addInspect(CLI::App& app);
 void addGrade(CLI::App& app);
+void addBatch(CLI::App& app);
+void addMerge(CLI::App& app);
+void addWorker(CLI::App& app);
 void addDemo(CLI::App& app);
 void addCalibrate(CLI::App& app);
 void addDerive(CLI::App& app);

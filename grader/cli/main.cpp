@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 
 #include "assignment/assignment.hpp"
+#include "grading/program.hpp"
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
 #include "sandbox/sandbox.hpp"
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
       "Examples:\n"
       "  ggrade demo\n"
       "  ggrade grade mirror uploads/ada --out out/ada\n"
+      "  ggrade batch mirror uploads --out class\n"
       "  ggrade COMMAND --help\n\n"
       "Also: ggrade run ID (a window), ggrade test (all tests), ggrade compare A B (two images).");
   app.set_version_flag("--version", std::string("ggrade ") + toolchain::kVersion);
@@ -50,6 +52,9 @@ int run(int argc, char** argv) {
   addRender(app);
   addInspect(app);
   addGrade(app);
+  addBatch(app);
+  addMerge(app);
+  addWorker(app);
   addDemo(app);
   addCalibrate(app);
   addDerive(app);
@@ -86,7 +91,16 @@ fs::path solutionFolder(const std::string& assignment) {
 
 void requireSandbox() {
   if (const auto reason = sandbox::unavailable())
-    throw NoSandbox("no sandbox: " + *reason + "\nSubmissions are not run without one.");
+    throw NoSandbox(
+        "no sandbox: " + *reason +
+        "\nSubmissions are not run without one, unless you trust them all and say --sandbox none.");
+}
+
+void chooseSandbox(const std::string& word) {
+  if (word != "none") return requireSandbox();
+  grading::isolation() = sandbox::Isolation::none;
+  fmt::print(stderr, "ggrade: no sandbox: every submission runs as you, with your files and your "
+                     "network\n");
 }
 
 fs::path outputFolder(const std::string& named) {

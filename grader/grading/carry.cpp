@@ -11,7 +11,6 @@
 namespace ggrade::grading {
 
 namespace fs = std::filesystem;
-using sandbox::Isolation;
 
 namespace {
 
@@ -129,7 +128,7 @@ private:
     const SceneCase& planned = first_.plan.scenes.at(scene);
     const Rendering rendering = renderScene(first_.target.assignment.id, first_.program,
                                             planned.scene, {planned.times.at(0)}, first_.shaders,
-                                            Isolation::bwrap, gradingRequest(), pixels_[scene]);
+                                            isolation(), gradingRequest(), pixels_[scene]);
     const channel::Capture& capture = rendering.capture;
     const auto done = [](channel::ReplacementAnswer answer) {
       return answer == channel::ReplacementAnswer::done;

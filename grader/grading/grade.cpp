@@ -23,7 +23,6 @@ namespace ggrade::grading {
 
 namespace fs = std::filesystem;
 using report::Outcome;
-using sandbox::Isolation;
 
 namespace {
 
@@ -165,38 +164,55 @@ Renderings renderScenes(const Target& target, const Built& built, const ScenePla
                         const std::function<void(std::size_t done)>& progress) {
   std::vector<Rendering> renderings(references.scenes.size());
   std::optional<Rendering> again;
-  std::atomic<std::size_t> done{1};
+  std::atomic<std::size_t> done{1}, firstHung{renderings.size()};
   ShaderCache shaders = references.shaders;
   const auto run = [&](std::size_t i, const trace::Request& request) {
     return renderScene(target.assignment.id, built.program, plan.scenes[i].scene,
-                       plan.scenes[i].times, shaders, Isolation::bwrap, request);
+                       plan.scenes[i].times, shaders, isolation(), request);
   };
   const auto render = [&](std::size_t i) {
+    if (i > firstHung) return;
     renderings[i] = run(i, gradingRequest());
     // Copies of a whole frame's passes are too much to keep in memory for every scene.
     trace::save(renderings[i].capture.trace, studentFolder(i));
     renderings[i].capture.trace = {};
+    const Happened& happened = renderings[i].happened;
+    if (!happened.ok() && happened.seconds >= kRunSeconds)
+      for (std::size_t before = firstHung; i < before;)
+        if (firstHung.compare_exchange_weak(before, i)) break;
     progress(++done);
   };
   std::size_t first = 0;
   bool twice = false;
   if (!references.scenes.empty() && references.scenes[0].isPublic) {
-    shaders.keep = shaderFolder;
+    if (isolation() == sandbox::Isolation::none) {
+      fs::copy(references.shaders.folder, shaderFolder, fs::copy_options::recursive);
+      shaders = {shaderFolder, {}};
+    } else {
+      shaders.keep = shaderFolder;
+    }
     render(first++);
     shaders = {shaderFolder, {}};
     twice = options.pictures && renderings[0].happened.ok();
   }
-  if (first == 1 && !renderings[0].happened.ok() && renderings[0].happened.seconds >= kRunSeconds)
-    for (std::size_t i = 1; i < renderings.size(); ++i)
-      renderings[i].happened = {
-          renderings[0].happened.outcome, "not run: the program hung in the first scene", {}, 0};
-  else
-    inParallel(renderings.size() - first + twice, options.threads, [&](std::size_t i) {
-      if (first + i < renderings.size())
-        render(first + i);
-      else
-        again = run(0, {});
-    });
+  inParallel(renderings.size() - first + twice, options.threads, [&](std::size_t i) {
+    if (first + i < renderings.size())
+      render(first + i);
+    else if (firstHung == renderings.size())
+      again = run(0, {});
+  });
+  // One scene that hangs is enough to wait for. What comes after the first counts as not run,
+  // whether somebody was fast enough or not: so a result doesn't depend on how many go at a time.
+  if (firstHung < renderings.size()) again.reset();
+  for (std::size_t i = firstHung + 1; i < renderings.size(); ++i) {
+    renderings[i] = {};
+    renderings[i].happened = {
+        renderings[firstHung].happened.outcome,
+        fmt::format("not run: the program hung in scene {}", references.scenes[firstHung].name),
+        {},
+        0};
+    fs::remove_all(studentFolder(i));
+  }
   for (std::size_t i = 0; i < renderings.size(); ++i)
     rubric::writeFrames(studentFolder(i), rawFrames(renderings[i].capture));
   return {std::move(renderings), std::move(again)};
@@ -278,18 +294,27 @@ void addUp(report::Result& result) {
   result.bonus = result.score > 0 ? std::round(bonus * 10) / 10 : 0;
 }
 
+report::Result ungraded(const Target& target, Outcome outcome, const std::string& detail) {
+  report::Result result;
+  result.assignment = target.assignment.id;
+  result.part = target.id;
+  result.title = target.parts.size() == 1 ? target.parts[0].title : target.assignment.title;
+  result.maxScore = target.maxScore();
+  result.sandbox = isolation() == sandbox::Isolation::bwrap ? "bwrap" : "none";
+  result.thresholds = {{"tolerance", kTolerance}, {"radius", kRadius}, {"window", kWindowSide}};
+  result.outcome = outcome;
+  result.detail = detail;
+  result.items = unearned(target, "the program was not built");
+  return result;
+}
+
 Built buildSubmission(const Target& target, const GradeOptions& options) {
   const Assignment& assignment = target.assignment;
   Built built;
+  built.result = ungraded(target, Outcome::buildFailed, {});
   report::Result& result = built.result;
-  result.assignment = assignment.id;
-  result.part = target.id;
-  result.title = target.parts.size() == 1 ? target.parts[0].title : assignment.title;
   result.submission =
       report::sanitizeLine(fs::weakly_canonical(options.upload).filename().string());
-  result.maxScore = target.maxScore();
-  result.sandbox = "bwrap";
-  result.thresholds = {{"tolerance", kTolerance}, {"radius", kRadius}, {"window", kWindowSide}};
 
   built.work = std::make_unique<TemporaryFolder>();
   built.program = built.work->makeVisible("program");
@@ -302,12 +327,16 @@ Built buildSubmission(const Target& target, const GradeOptions& options) {
   Happened happened;
   {
     const Stopwatch time(result, "build");
-    happened = buildProgram(assignment.id, built.program, Isolation::bwrap);
+    happened = buildProgram(assignment.id, built.program, isolation());
   }
   result.compilerOutput = happened.output;
   result.outcome = happened.outcome;
   result.detail = happened.detail;
-  if (!happened.ok()) result.items = unearned(target, "the program was not built");
+  if (happened.ok())
+    result.items.clear();
+  else if (const auto observed = diagnosis::outcomeDiagnosis(result, {});
+           observed && options.examining)
+    result.diagnoses = {*observed};
   return built;
 }
 
@@ -362,6 +391,21 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   return result;
 }
 
+Examining diagnosing(const Target& target, const fs::path& solutionFolder,
+                     const Progress& progress) {
+  return [&target, solutionFolder, progress](const Submitted& submitted, report::Result& result) {
+    try {
+      result.diagnoses = diagnose(target, solutionFolder, submitted, result, progress);
+    } catch (const UsageError&) {
+      // The catalogue is the instructor's; its faults cost nobody a grade.
+      report::Diagnosis none;
+      none.text = "No cause was looked for: the catalogue of mistakes has a fault, which ggrade "
+                  "calibrate names.";
+      result.diagnoses = {none};
+    }
+  };
+}
+
 report::Result grade(const Target& target, const fs::path& solutionFolder,
                      const GradeOptions& options) {
   const ScenePlan plan =
@@ -369,22 +413,8 @@ report::Result grade(const Target& target, const fs::path& solutionFolder,
   const Progress progress =
       options.progress ? options.progress : Progress([](const auto&, auto, auto) {});
   GradeOptions how = options;
-  if (options.diagnosis)
-    how.examining = [&](const Submitted& submitted, report::Result& result) {
-      try {
-        result.diagnoses = diagnose(target, solutionFolder, submitted, result, progress);
-      } catch (const UsageError&) {
-        // The catalogue is the instructor's; its faults cost nobody a grade.
-        report::Diagnosis none;
-        none.text = "No cause was looked for: the catalogue of mistakes has a fault, which ggrade "
-                    "calibrate names.";
-        result.diagnoses = {none};
-      }
-    };
-  Built built = buildSubmission(target, how);
-  if (options.diagnosis && built.result.outcome != Outcome::graded)
-    if (const auto observed = diagnosis::outcomeDiagnosis(built.result, {}))
-      built.result.diagnoses = {*observed};
+  if (options.diagnosis) how.examining = diagnosing(target, solutionFolder, progress);
+  const Built built = buildSubmission(target, how);
   const References references = prepareReferences(target, solutionFolder, plan, progress);
   return gradeBuilt(target, plan, references, built, how);
 }

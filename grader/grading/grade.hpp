@@ -19,6 +19,9 @@ using Judging = std::function<std::vector<report::Item>(
     const std::vector<rubric::SceneFolders>& scenes, const std::filesystem::path& work,
     std::string& problem, const std::vector<std::string>& again)>;
 
+/// Adds to a judged submission's result what it finds out.
+using Examining = std::function<void(const Submitted&, report::Result&)>;
+
 struct GradeOptions {
   std::filesystem::path upload;
   bool solution =
@@ -31,8 +34,7 @@ struct GradeOptions {
   unsigned threads = workers(); ///< scenes that are rendered at a time
   bool diagnosis = true;        ///< `grade` looks for the likeliest cause of lost points
   Judging judging;              ///< empty: a judge's process for this grading alone
-  /// What looks closer at what `gradeBuilt` judged, if anything does.
-  std::function<void(const Submitted&, report::Result&)> examining;
+  Examining examining;          ///< looks closer at what `gradeBuilt` judged, if anything does
   Progress progress;
 };
 
@@ -43,6 +45,9 @@ struct Built {
   std::filesystem::path program;         ///< the overlaid files and the program
 };
 
+/// The result of a submission of which nothing was built, for the reason `detail`.
+report::Result ungraded(const Target& target, report::Outcome outcome, const std::string& detail);
+
 /// Overlays and builds `options.upload`. A program that doesn't build is no error: see the result's
 /// outcome. Throws UsageError (no such folder) and Interrupted.
 Built buildSubmission(const Target& target, const GradeOptions& options);
@@ -52,6 +57,10 @@ Built buildSubmission(const Target& target, const GradeOptions& options);
 /// Built.
 report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const References& references,
                           const Built& built, const GradeOptions& options);
+
+/// Looks for the likeliest cause of lost points. `target` must outlive it.
+Examining diagnosing(const Target& target, const std::filesystem::path& solutionFolder,
+                     const Progress& progress);
 
 /// The score and the bonus that `result.items` add up to.
 void addUp(report::Result& result);

@@ -100,8 +100,8 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
     result.used.push_back(name);
   }
   if (result.used.empty())
-    throw UsageError(fmt::format("{} holds no file of {}: expected {}", upload.string(),
-                                 assignment.id, fmt::join(assignment.files, ", ")));
+    throw NothingToGrade(fmt::format("{} holds no file of {}: expected {}", upload.string(),
+                                     assignment.id, fmt::join(assignment.files, ", ")));
   for (const std::string& name : assignment.files) {
     if (has(result.used, name)) continue;
     writeFile(into / name, readFile(assignment.folder / name));

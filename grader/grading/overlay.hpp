@@ -8,6 +8,11 @@ namespace ggrade::grading {
 
 inline constexpr std::uintmax_t kLargestSource = 1 << 20; ///< bytes of one uploaded file
 
+/// An upload that holds no file of the assignment.
+struct NothingToGrade : UsageError {
+  using UsageError::UsageError;
+};
+
 struct Overlay {
   std::vector<std::string> used; ///< files taken from the upload
   std::vector<std::string>
@@ -26,7 +31,8 @@ std::vector<std::string> ownFiles(const Assignment& assignment,
 
 /// Copies the clean files of `cleanFolder` (the handed-out ones) and the assignment's JSON files to
 /// `into`, then the editable and optional files of `upload` over them. Only regular files are
-/// taken, no links. Throws UsageError when `upload` is missing or holds no file of the assignment.
+/// taken, no links. Throws UsageError when `upload` is missing, NothingToGrade when it holds no file
+/// of the assignment.
 Overlay overlay(const Assignment& assignment, const std::filesystem::path& upload,
                 const std::filesystem::path& into);
 

@@ -162,6 +162,11 @@ void keepCache(const ShaderCache& shaders, const std::vector<sandbox::Collect>& 
 
 } // namespace
 
+sandbox::Isolation& isolation() {
+  static Isolation chosen = Isolation::bwrap;
+  return chosen;
+}
+
 Happened buildProgram(const std::string& id, const fs::path& folder, Isolation isolation) {
   const Places at(isolation, folder, {}, {});
   sandbox::Command command;

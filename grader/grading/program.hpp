@@ -14,6 +14,11 @@ inline constexpr double kRunSeconds = 10;
 /// And so many times that by the clock, for a program that waits forever.
 inline constexpr double kWallFactor = 3;
 
+/// How submissions are built and run, and the programs that they are compared with: in the sandbox,
+/// unless somebody who trusts them all has spelled out `none` before anything was run. Every result
+/// says which.
+sandbox::Isolation& isolation();
+
 /// What happened when a submission was built or run, in the contract's terms.
 struct Happened {
   report::Outcome outcome = report::Outcome::notGradable;

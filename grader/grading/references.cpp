@@ -97,7 +97,7 @@ void build(const Assignment& assignment, Own& own) {
   TemporaryFolder work(cacheFolder() / "programs");
   const fs::path program = work.makeVisible("program");
   overlay(assignment, own.sources, program);
-  requireGood(buildProgram(assignment.id, program, Isolation::bwrap), own.what);
+  requireGood(buildProgram(assignment.id, program, isolation()), own.what);
   std::error_code raced; // somebody else may have built the same meanwhile
   fs::rename(program, own.folder, raced);
 }
@@ -196,6 +196,13 @@ std::string referenceKey(const Target& target, const fs::path& solutionFolder) {
          programKey(tool, target.assignment, target.assignment.folder) + identity(gradingRequest());
 }
 
+std::string gradingKey(const Target& target, const fs::path& solutionFolder,
+                       const ScenePlan& plan) {
+  static const std::string tool = hashOf(readFile("/proc/self/exe"));
+  return tool + target.id + readJson(target.assignment.folder / "assignment.json").dump() +
+         referenceKey(target, solutionFolder) + describe(plan);
+}
+
 References prepareReferences(const Target& target, const fs::path& solutionFolder,
                              const ScenePlan& plan, const Progress& progress,
                              const fs::path& elsewhere) {
@@ -255,7 +262,7 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   inParallel(jobs.size(), workers(), [&](std::size_t i) {
     const Job& job = jobs[i];
     const Rendering rendering = renderScene(assignment.id, job.own->folder, *job.scene, *job.times,
-                                            all.ownShaders, Isolation::bwrap, job.trace);
+                                            all.ownShaders, isolation(), job.trace);
     requireGood(rendering.happened, job.own->what);
     TemporaryFolder work(job.folder.parent_path());
     if (job.trace.passes) trace::save(rendering.capture.trace, work.path());

@@ -29,6 +29,11 @@ std::string hashOf(const std::string& text);
 /// programs.
 std::string referenceKey(const Target& target, const std::filesystem::path& solutionFolder);
 
+/// What a grading's result depends on besides the submission: this very tool, its rubrics, the
+/// points, the reference, and the scenes.
+std::string gradingKey(const Target& target, const std::filesystem::path& solutionFolder,
+                       const ScenePlan& plan);
+
 /// Makes sure that everything of `plan` is rendered, in the sandbox like a submission, and says
 /// where it stands. What was rendered before by the same tool, assignment, seed and renderer is
 /// taken from the cache

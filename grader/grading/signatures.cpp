@@ -15,7 +15,6 @@ namespace ggrade::grading {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using sandbox::Isolation;
 
 namespace {
 
@@ -57,7 +56,7 @@ bool build(const Assignment& assignment, const fs::path& sources, const fs::path
   const fs::path kept =
       cacheFolder() / "signatures" / "programs" / compiledKey(assignment, sources, reference);
   if (!fs::exists(kept)) {
-    if (!buildProgram(assignment.id, folder, Isolation::bwrap).ok()) return false;
+    if (!buildProgram(assignment.id, folder, isolation()).ok()) return false;
     TemporaryFolder work(cacheFolder() / "signatures" / "programs");
     fs::copy_file(folder / assignment.id, work.path() / assignment.id);
     fs::rename(work.path() / assignment.id, kept); // whoever keeps the same meanwhile is as right
@@ -132,7 +131,7 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
         if (good) {
           const SceneCase& scene = plan.scenes[scenes[i]];
           const Rendering rendering = renderScene(assignment.id, program, scene.scene, scene.times,
-                                                  shaders, Isolation::bwrap, request);
+                                                  shaders, isolation(), request);
           if (!shaders.keep.empty()) shaders = {shaders.keep};
           // Our own machine's fault must not be kept as if the program showed nothing.
           if (rendering.happened.outcome == report::Outcome::notGradable)

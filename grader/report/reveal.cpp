@@ -112,6 +112,18 @@ std::string shownDetail(const Result& result, Reveal reveal) {
 
 } // namespace
 
+std::string_view name(Reveal reveal) {
+  switch (reveal) {
+  case Reveal::none:
+    return "none";
+  case Reveal::names:
+    return "names";
+  case Reveal::details:
+    break;
+  }
+  return "details";
+}
+
 std::optional<Reveal> parseReveal(std::string_view word) {
   if (word == "none") return Reveal::none;
   if (word == "names") return Reveal::names;

@@ -17,7 +17,9 @@ enum class Reveal {
   details ///< pictures and positions, too
 };
 
-/// `none`, `names` or `details`; nothing for any other word.
+/// `none`, `names` or `details`.
+std::string_view name(Reveal reveal);
+/// The other way; nothing for any other word.
 std::optional<Reveal> parseReveal(std::string_view word);
 
 /// The part of `result` that a student may read at this level. Every text and picture for students

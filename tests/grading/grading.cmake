@@ -13,3 +13,6 @@ add_dependencies(grading_test ggrade_tool ggrade_compare floor floor_solution)
 ggrade_test(window_test gl SOURCES ${CMAKE_CURRENT_LIST_DIR}/window_test.cpp
   LIBRARIES grading_tool TIMEOUT 120)
 add_dependencies(window_test ggrade_tool floor_solution)
+file(GLOB batch CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/batch_*_test.cpp)
+ggrade_test(batch_grading_test grading SOURCES ${batch} LIBRARIES grading_tool TIMEOUT 600)
+add_dependencies(batch_grading_test ggrade_tool)

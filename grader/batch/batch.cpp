@@ -1,0 +1,181 @@
+#include "batch/batch.hpp"
+
+#include "batch/publish.hpp"
+#include "grading/grade.hpp"
+#include "grading/scenes.hpp"
+#include "grading/workspace.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <set>
+
+namespace ggrade::batch {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// The uploads that `only` names, all if it names none. Throws UsageError for who isn't there.
+void keepOnly(std::vector<intake::Upload>& uploads, const std::vector<std::string>& only) {
+  std::vector<std::string> unknown;
+  std::set<std::string> folders;
+  for (const std::string& name : only) {
+    const auto found = std::ranges::find_if(uploads, [&](const intake::Upload& upload) {
+      return upload.student == name || upload.name == name || upload.folder == name;
+    });
+    if (found == uploads.end())
+      unknown.push_back(name);
+    else
+      folders.insert(found->folder);
+  }
+  if (!unknown.empty())
+    throw UsageError(fmt::format("--only: no upload is {}'s", fmt::join(unknown, "'s, none ")));
+  if (!only.empty())
+    std::erase_if(uploads, [&](const auto& upload) { return !folders.count(upload.folder); });
+}
+
+void keepShard(std::vector<intake::Upload>& uploads, const Shard& shard) {
+  std::vector<intake::Upload> kept;
+  for (std::size_t i = shard.index - 1; i < uploads.size(); i += shard.of)
+    kept.push_back(std::move(uploads[i]));
+  uploads = std::move(kept);
+}
+
+/// The folder's memory, ready for this run. Throws UsageError where it isn't ours, or holds a run
+/// and nobody said what to do with it.
+State open(const Target& target, const BatchOptions& options) {
+  std::optional<State> found = loadState(options.out);
+  if (!found) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(options.out))
+      if (const std::string name = entry.path().filename().string();
+          name != ".ggrade-lock" && name != "overrides.csv")
+        throw UsageError(fmt::format("{} holds {}, which is no earlier result of this tool: name "
+                                     "another folder with --out, or move it away",
+                                     options.out.string(), name));
+    State fresh;
+    fresh.target = target.id;
+    fresh.seed = options.seed;
+    return fresh;
+  }
+  State state = *found;
+  sweep(options.out, state);
+  if (state.target != target.id)
+    throw UsageError(fmt::format("{} holds results of {}: name another folder with --out",
+                                 options.out.string(), state.target));
+  if (!options.resume && !options.regrade)
+    throw UsageError(fmt::format("{} holds an earlier run: --resume grades what is missing or has "
+                                 "changed, --regrade all of it again",
+                                 options.out.string()));
+  if (state.seed != options.seed && !options.regrade)
+    throw UsageError(fmt::format("{} was graded with {}: give the same, or --regrade",
+                                 options.out.string(),
+                                 state.seed ? fmt::format("--seed {}", *state.seed)
+                                            : std::string("the assignment's own seed")));
+  state.seed = options.seed;
+  // A run that was cut short goes on, and is compared with what stood before it.
+  if (!state.isFinished) return state;
+  state.isFinished = false;
+  if (options.regrade && options.only.empty()) ++state.run;
+  state.before.clear();
+  for (const Record& record : loadRecords(options.out))
+    state.before[record.row.folder] = record.row.score + record.row.bonus;
+  return state;
+}
+
+std::vector<report::ScoreChange> changesSince(const State& state, const fs::path& out) {
+  std::vector<report::ScoreChange> changes;
+  for (const Record& record : loadRecords(out))
+    if (const auto before = state.before.find(record.row.folder); before != state.before.end())
+      if (const double now = record.row.score + record.row.bonus; now != before->second)
+        changes.push_back({record.row.name, record.row.folder, before->second, now});
+  std::ranges::stable_sort(
+      changes, {}, [](const report::ScoreChange& change) { return change.after - change.before; });
+  return changes;
+}
+
+} // namespace
+
+Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
+                   const BatchOptions& options, const grading::Progress& preparing,
+                   const std::function<void(const Step&)>& step) {
+  std::error_code error;
+  fs::create_directories(options.out, error);
+  const Lock lock(options.out);
+  State state = open(target, options);
+  grading::TemporaryFolder work;
+  state.work = work.path();
+  saveState(options.out, state);
+
+  Outcome outcome;
+  intake::Intake intake = intake::findUploads(options.uploads, target.assignment.files, work.path(),
+                                              grading::isolation(), &grading::interrupted);
+  outcome.remarks = std::move(intake.remarks);
+  keepOnly(intake.uploads, options.only);
+  keepShard(intake.uploads, options.shard);
+
+  const grading::ScenePlan plan =
+      grading::drawScenes(target, solutionFolder, options.seed ? &*options.seed : nullptr);
+  grading::prepareReferences(target, solutionFolder, plan, preparing);
+  const std::string grader = grading::hashOf(grading::gradingKey(target, solutionFolder, plan));
+  std::vector<Job> jobs;
+  for (intake::Upload& upload : intake.uploads) {
+    Job job{std::move(upload), {}};
+    job.key = keyOf(job.upload);
+    const auto record = loadRecord(options.out / job.upload.folder);
+    const bool holds = record && record->upload == job.key && record->grader == grader &&
+                       record->row.outcome != report::Outcome::notGradable &&
+                       record->run == state.run;
+    if (holds && !(options.regrade && !options.only.empty()))
+      ++outcome.kept;
+    else
+      jobs.push_back(std::move(job));
+  }
+
+  PoolOptions pool;
+  pool.processes = options.jobs;
+  pool.temporary = work.path();
+  pool.worker = {"ggrade",
+                 "worker",
+                 target.id,
+                 "--out",
+                 fs::absolute(options.out).string(),
+                 "--run",
+                 std::to_string(state.run),
+                 "--reveal",
+                 std::string(report::name(options.reveal))};
+  if (options.seed)
+    pool.worker.insert(pool.worker.end(), {"--seed", std::to_string(*options.seed)});
+  if (!options.diagnosis) pool.worker.push_back("--no-diagnosis");
+  if (grading::isolation() == sandbox::Isolation::none)
+    pool.worker.insert(pool.worker.end(), {"--sandbox", "none"});
+  // Who reads the class page must find everybody. What can't even be written now is done by
+  // --resume.
+  const auto ungraded = [&](const Job& job, const std::string& problem) {
+    report::Result result = grading::ungraded(target, report::Outcome::notGradable, problem);
+    result.seed = plan.seed;
+    try {
+      publish(result, job, {options.out, options.reveal, grader, state.run});
+      return problem;
+    } catch (const std::exception& error) {
+      return problem + "; " + error.what();
+    }
+  };
+  runJobs(jobs, pool, [&](std::size_t job, const Answer& answer) {
+    const std::string& name = jobs[job].upload.name;
+    if (answer.problem.empty())
+      ++outcome.graded;
+    else
+      outcome.unfinished.push_back(name + ": " + ungraded(jobs[job], answer.problem));
+    if (step) step({outcome.graded + outcome.unfinished.size(), jobs.size(), name, answer});
+  });
+
+  outcome.changes = changesSince(state, options.out);
+  state.isFinished = outcome.unfinished.empty();
+  state.work.clear();
+  saveState(options.out, state);
+  return outcome;
+}
+
+} // namespace ggrade::batch

@@ -1,0 +1,126 @@
+#include "batch/job.hpp"
+
+#include "grading/references.hpp"
+#include "intake/limits.hpp"
+#include "sandbox/descriptor.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace ggrade::batch {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// What one file or folder holds, as text that is another one where it holds anything else.
+/// `entries` and `bytes` are what may still be read.
+class Content {
+public:
+  std::string of(const fs::path& path) {
+    struct stat status {};
+    if (lstat(path.c_str(), &status) != 0) return "gone\n";
+    if (S_ISREG(status.st_mode)) return ofFile(path, std::uint64_t(status.st_size));
+    if (!S_ISDIR(status.st_mode)) return "no file\n";
+    std::vector<fs::path> inside;
+    std::error_code error;
+    for (fs::directory_iterator entry(path, error), end; !error && entries_ > 0 && entry != end;
+         entry.increment(error)) {
+      inside.push_back(entry->path());
+      --entries_;
+    }
+    std::sort(inside.begin(), inside.end());
+    std::string all;
+    for (const fs::path& entry : inside) {
+      const std::string name = entry.filename().string();
+      all += fmt::format("{}:{} {}", name.size(), name, of(entry));
+    }
+    return fmt::format("folder {}\n{}", inside.size(), all);
+  }
+
+private:
+  std::string ofFile(const fs::path& path, std::uint64_t size) {
+    const sandbox::Descriptor file(
+        open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    std::string text(std::min(size, bytes_), '\0');
+    std::size_t length = 0;
+    for (ssize_t count = 0; length < text.size() && (count = read(file.get(), text.data() + length,
+                                                                  text.size() - length)) > 0;)
+      length += std::size_t(count);
+    text.resize(length);
+    bytes_ -= length;
+    return fmt::format("{} {}\n", size, grading::hashOf(text));
+  }
+
+  std::size_t entries_ = 4 * intake::kUploadLimits.entries;
+  std::uint64_t bytes_ = 2 * intake::kUploadLimits.archiveBytes;
+};
+
+} // namespace
+
+json toJson(const Job& job) {
+  json sources = json::array();
+  for (const intake::Source& source : job.upload.sources) {
+    // A path may be any bytes, JSON is UTF-8: as numbers.
+    const std::string path = source.path.string();
+    sources.push_back({std::vector<std::uint8_t>(path.begin(), path.end()), source.name});
+  }
+  return {{"student", job.upload.student},
+          {"name", job.upload.name},
+          {"folder", job.upload.folder},
+          {"sources", sources},
+          {"remarks", job.upload.remarks},
+          {"late", job.upload.late},
+          {"key", job.key}};
+}
+
+Job jobFrom(const json& line) {
+  Job job;
+  line.at("student").get_to(job.upload.student);
+  line.at("name").get_to(job.upload.name);
+  line.at("folder").get_to(job.upload.folder);
+  for (const json& source : line.at("sources")) {
+    const auto path = source.at(0).get<std::vector<std::uint8_t>>();
+    job.upload.sources.push_back(
+        {fs::path(std::string(path.begin(), path.end())), source.at(1).get<std::string>()});
+  }
+  line.at("remarks").get_to(job.upload.remarks);
+  line.at("late").get_to(job.upload.late);
+  line.at("key").get_to(job.key);
+  return job;
+}
+
+json toJson(const Answer& answer) {
+  return {{"problem", answer.problem},
+          {"outcome", answer.outcome},
+          {"score", answer.score},
+          {"max_score", answer.maxScore},
+          {"seconds", answer.seconds}};
+}
+
+Answer answerFrom(const json& line) {
+  Answer answer;
+  line.at("problem").get_to(answer.problem);
+  line.at("outcome").get_to(answer.outcome);
+  line.at("score").get_to(answer.score);
+  line.at("max_score").get_to(answer.maxScore);
+  line.at("seconds").get_to(answer.seconds);
+  return answer;
+}
+
+std::string keyOf(const intake::Upload& upload) {
+  Content content;
+  std::string all;
+  for (const intake::Source& source : upload.sources)
+    all += fmt::format("{}:{} {}", source.name.size(), source.name, content.of(source.path));
+  return grading::hashOf(all);
+}
+
+} // namespace ggrade::batch

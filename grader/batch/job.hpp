@@ -1,0 +1,34 @@
+#pragma once
+/// \file
+/// One upload on its way to a result, as a batch hands it to a worker.
+
+#include "intake/find_uploads.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+
+namespace ggrade::batch {
+
+struct Job {
+  intake::Upload upload;
+  std::string key; ///< hash of what was handed in
+};
+
+nlohmann::json toJson(const Job& job);
+/// Throws nlohmann::json::exception.
+Job jobFrom(const nlohmann::json& line);
+
+/// How a job ended.
+struct Answer {
+  std::string problem; ///< our fault: nothing was written; empty: the result stands
+  std::string outcome;
+  double score = 0, maxScore = 0, seconds = 0;
+};
+
+nlohmann::json toJson(const Answer& answer);
+/// Throws nlohmann::json::exception.
+Answer answerFrom(const nlohmann::json& line);
+
+/// A hash of everything that an upload holds, read as far as an upload is ever read.
+std::string keyOf(const intake::Upload& upload);
+
+} // namespace ggrade::batch

@@ -1,0 +1,221 @@
+#include "batch/pool.hpp"
+
+#include "grading/workspace.hpp"
+#include "sandbox/descriptor.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace ggrade::batch {
+
+using nlohmann::json;
+using Clock = std::chrono::steady_clock;
+using sandbox::Descriptor;
+
+namespace {
+
+constexpr int kAttempts = 2;
+constexpr std::size_t kLongestAnswer = 1 << 20;
+constexpr std::chrono::milliseconds kGrace{3000}; ///< for workers to stop what they run
+
+struct Process {
+  pid_t pid = -1;
+  Descriptor to, from;
+  std::string received;
+  std::optional<std::size_t> job;
+  Clock::time_point since;
+  bool isReady = false; ///< it has said so, its first line
+};
+
+/// Starts a worker; its standard error is ours.
+Process start(const PoolOptions& options) {
+  int jobs[2], answers[2];
+  if (pipe2(jobs, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for a worker");
+  Descriptor jobsRead(jobs[0]), jobsWrite(jobs[1]);
+  if (pipe2(answers, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for a worker");
+  Descriptor answersRead(answers[0]), answersWrite(answers[1]);
+  std::vector<std::string> words = options.worker, variables;
+  std::vector<char*> argv, environment;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  for (char** variable = environ; *variable; ++variable)
+    if (std::strncmp(*variable, "TMPDIR=", 7) != 0) variables.emplace_back(*variable);
+  variables.push_back("TMPDIR=" + options.temporary);
+  for (std::string& variable : variables) environment.push_back(variable.data());
+  environment.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, jobsRead.get(), 0);
+  posix_spawn_file_actions_adddup2(&actions, answersWrite.get(), 1);
+  Process process;
+  const int error = posix_spawn(&process.pid, options.program.c_str(), &actions, nullptr,
+                                argv.data(), environment.data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (error)
+    throw std::runtime_error(fmt::format("a worker can't be started: {}", std::strerror(error)));
+  process.to = std::move(jobsWrite);
+  process.from = std::move(answersRead);
+  return process;
+}
+
+class Pool {
+public:
+  Pool(const std::vector<Job>& jobs, const PoolOptions& options, const Answered& answered)
+      : jobs_(jobs), options_(options), answered_(answered), attempts_(jobs.size()) {
+    for (std::size_t i = 0; i < jobs.size(); ++i) waiting_.push_back(i);
+  }
+  ~Pool() { stop(); }
+
+  void run() {
+    for (;;) {
+      if (grading::interrupted) throw grading::Interrupted{};
+      while (processes_.size() < std::min<std::size_t>(options_.processes, open()))
+        processes_.push_back(start(options_));
+      for (Process& process : processes_)
+        if (process.isReady && !process.job && !waiting_.empty()) give(process);
+      if (open() == 0) return;
+      listen();
+      endTheStuck();
+    }
+  }
+
+private:
+  /// Jobs that have no last answer.
+  std::size_t open() const {
+    return waiting_.size() + std::size_t(std::ranges::count_if(processes_, [](const Process& one) {
+             return one.job.has_value();
+           }));
+  }
+
+  void give(Process& process) {
+    const std::size_t job = waiting_.front();
+    waiting_.pop_front();
+    process.job = job;
+    process.since = Clock::now();
+    const std::string line = toJson(jobs_[job]).dump() + '\n';
+    // A worker that is gone shows as the end of its answers.
+    for (std::size_t done = 0; done < line.size();) {
+      const ssize_t count = write(process.to.get(), line.data() + done, line.size() - done);
+      if (count < 0 && errno == EINTR && !grading::interrupted) continue;
+      if (count <= 0) return;
+      done += std::size_t(count);
+    }
+  }
+
+  void listen() {
+    std::vector<pollfd> events;
+    for (const Process& process : processes_) events.push_back({process.from.get(), POLLIN, 0});
+    if (poll(events.data(), events.size(), 500) <= 0) return;
+    for (std::size_t i = events.size(); i-- > 0;) {
+      if (!events[i].revents) continue;
+      Process& process = processes_[i];
+      char block[4096];
+      const ssize_t count = read(process.from.get(), block, sizeof block);
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0 || process.received.size() > kLongestAnswer) {
+        bury(i, {});
+        continue;
+      }
+      process.received.append(block, std::size_t(count));
+      const std::size_t end = process.received.find('\n');
+      if (end == std::string::npos) continue;
+      // One answer a job, and the next job comes after it: there is never more than a line.
+      const std::string line = process.received.substr(0, end);
+      process.received.clear();
+      if (!std::exchange(process.isReady, true)) continue;
+      try {
+        finish(process, answerFrom(json::parse(line)));
+      } catch (const json::exception&) {
+        bury(i, "a worker gave an answer that makes no sense");
+      }
+    }
+  }
+
+  void finish(Process& process, const Answer& answer) {
+    if (!process.job) return;
+    const std::size_t job = *process.job;
+    process.job.reset();
+    const bool ours = !answer.problem.empty() || answer.outcome == "not_gradable";
+    if (ours && ++attempts_[job] < kAttempts)
+      waiting_.push_front(job);
+    else
+      answered_(job, answer);
+  }
+
+  void endTheStuck() {
+    for (std::size_t i = processes_.size(); i-- > 0;)
+      if (processes_[i].job &&
+          Clock::now() - processes_[i].since > std::chrono::duration<double>(options_.seconds))
+        bury(i, fmt::format("the grader itself was stuck for {:.0f} s", options_.seconds));
+  }
+
+  /// Ends a worker and answers for it.
+  void bury(std::size_t index, std::string why) {
+    Process process = std::move(processes_[index]);
+    processes_.erase(processes_.begin() + std::ptrdiff_t(index));
+    process.to.close();
+    if (!why.empty()) kill(process.pid, SIGKILL);
+    int status = 0;
+    while (waitpid(process.pid, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (grading::interrupted) throw grading::Interrupted{};
+    if (why.empty())
+      why = WIFSIGNALED(status)
+                ? fmt::format("the grader's own process died of signal {}", WTERMSIG(status))
+                : fmt::format("the grader's own process ended with code {}", WEXITSTATUS(status));
+    if (!process.isReady) throw std::runtime_error(why + " before it could grade anything");
+    Answer answer;
+    answer.problem = why;
+    finish(process, answer);
+  }
+
+  /// No worker is left: asked first, so that each can stop what it runs.
+  void stop() {
+    for (Process& process : processes_) {
+      process.to.close();
+      if (process.job) kill(process.pid, SIGTERM);
+    }
+    const auto end = Clock::now() + kGrace;
+    for (Process& process : processes_) {
+      while (waitpid(process.pid, nullptr, WNOHANG) == 0) {
+        if (Clock::now() > end) kill(process.pid, SIGKILL);
+        usleep(5000);
+      }
+    }
+    processes_.clear();
+  }
+
+  const std::vector<Job>& jobs_;
+  const PoolOptions& options_;
+  const Answered& answered_;
+  std::vector<int> attempts_; ///< that failed, by job
+  std::deque<std::size_t> waiting_;
+  std::vector<Process> processes_;
+};
+
+} // namespace
+
+void runJobs(const std::vector<Job>& jobs, const PoolOptions& options, const Answered& answered) {
+  Pool(jobs, options, answered).run();
+}
+
+} // namespace ggrade::batch

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// What is kept of one graded submission beside its pages: all that the class page, the gradebooks,
+/// a later run and a merge ask for.
+
+#include "report/class_page.hpp"
+#include "report/reveal.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace ggrade::batch {
+
+/// `record.json` in a result's folder, with `thumbnail.png` beside it.
+struct Record {
+  report::ClassRow row; ///< the machine's share of it: no adjustments, no penalty
+  std::string target;   ///< ID of what was graded
+  std::uint64_t seed = 0;
+  std::string upload;   ///< hash of what was handed in
+  std::string grader;   ///< hash of tool, rubrics, points, reference and scenes
+  std::string sandbox;  ///< "bwrap" or "none"
+  std::string feedback; ///< for a gradebook: plain UTF-8
+  unsigned run = 0;     ///< of this class; counts regradings
+};
+
+/// What a record keeps of `result`; the feedback says what a student may know. The rest of the row
+/// (folder, student, name, submitted, remarks) is the caller's.
+Record recordOf(const report::Result& result, report::Reveal reveal);
+
+/// Writes `record.json` and `thumbnail.png` into `folder`, which must exist.
+void saveRecord(const std::filesystem::path& folder, const Record& record);
+
+/// Nothing where there is none. One that makes no sense is none, either: its submission will be
+/// graded again. The thumbnail is read, too.
+std::optional<Record> loadRecord(const std::filesystem::path& folder);
+
+/// Every record in the folders of `out`, by folder name.
+std::vector<Record> loadRecords(const std::filesystem::path& out);
+
+} // namespace ggrade::batch

@@ -1,0 +1,43 @@
+#pragma once
+/// \file
+/// What a class' folder remembers of its runs: `.ggrade-batch.json`.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+namespace ggrade::batch {
+
+struct State {
+  std::string target; ///< ID of what is graded
+  std::optional<std::uint64_t> seed;
+  std::filesystem::path work; ///< temporary folder of the run; removed by the next one if this died
+  unsigned run = 1;           ///< counts regradings
+  bool isFinished = false;
+  /// Scores, by folder, that the last finished run left: what this one's are compared with.
+  std::map<std::string, double> before;
+};
+
+/// Nothing if `out` holds none. Throws UsageError with the remedy for a file that makes no sense.
+std::optional<State> loadState(const std::filesystem::path& out);
+void saveState(const std::filesystem::path& out, const State& state);
+
+/// Keeps a second run out of a folder while this exists.
+class Lock {
+public:
+  /// Throws UsageError if somebody else is at it.
+  explicit Lock(const std::filesystem::path& out);
+  ~Lock();
+  Lock(const Lock&) = delete;
+  Lock& operator=(const Lock&) = delete;
+
+private:
+  int file_ = -1;
+};
+
+/// Removes what a killed run left: its temporary folder and half-written results. Only folders that
+/// bear this tool's mark and belong to this user.
+void sweep(const std::filesystem::path& out, const State& state);
+
+} // namespace ggrade::batch

@@ -1,0 +1,288 @@
+// A class through the real tool: what is written, what a second run does, what a killed one leaves.
+
+#include "tool.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A folder of uploads, and where their results go.
+class Class {
+public:
+  Class() {
+    fs::create_directory(uploads());
+    add("student1", tool::Submission::solution());
+    tool::Submission broken = tool::Submission::stub();
+    broken.write("floor.cpp", "int main( {");
+    add("student2", broken);
+    tool::Submission dark = tool::Submission::solution();
+    dark.replace("mirror.frag", "oColor = ", "oColor = 0.0 * ");
+    add("student3", dark);
+    fs::create_directory(uploads() / "student4"); // handed in nothing
+  }
+  void add(const std::string& name, const tool::Submission& submission) {
+    fs::copy(submission.path(), uploads() / name);
+  }
+  fs::path uploads() const { return folder_.path() / "uploads"; }
+  fs::path out(const std::string& name = "out") const { return folder_.path() / name; }
+  fs::path file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name, std::ios::binary) << text;
+    return folder_.path() / name;
+  }
+  tool::Arguments arguments(const tool::Arguments& more = {}, const std::string& name = "out") {
+    tool::Arguments all = {"batch", "mirror", uploads(), "--out", out(name), "--no-diagnosis"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  tool::Ended run(const tool::Arguments& more = {}, const std::string& name = "out") {
+    return tool::runTool(arguments(more, name), {}, 300);
+  }
+
+private:
+  TemporaryFolder folder_;
+};
+
+/// The rows of a gradebook without quoted cells, by student.
+std::map<std::string, std::vector<std::string>> gradebook(const fs::path& out) {
+  std::map<std::string, std::vector<std::string>> rows;
+  std::istringstream in(tool::read(out / "gradebook.csv"));
+  for (std::string line; std::getline(in, line);) {
+    std::vector<std::string> cells;
+    std::istringstream words(line);
+    for (std::string cell; std::getline(words, cell, ',');) cells.push_back(cell);
+    rows[cells.at(3)] = cells;
+  }
+  return rows;
+}
+
+/// A record without what no two runs have in common.
+json record(const fs::path& folder) {
+  json kept = json::parse(tool::read(folder / "record.json"));
+  kept["row"].erase("seconds");
+  return kept;
+}
+
+TEST(Batch, WritesAFolderAStudentAGradebookAndAPage) {
+  Class students;
+  const tool::Ended ended = students.run({"--json"});
+  ASSERT_EQ(ended.exitCode, 0) << ended.errors;
+  const json said = json::parse(ended.out);
+  EXPECT_EQ(said.at("graded"), 4);
+  EXPECT_EQ(said.at("unfinished"), json::array());
+  const auto rows = gradebook(students.out());
+  ASSERT_EQ(rows.size(), 5U);
+  EXPECT_EQ(rows.at("student1").at(9), "100");
+  EXPECT_EQ(rows.at("student2").at(9), "0");
+  EXPECT_EQ(rows.at("student4").at(9), "0");
+  const double dark = std::stod(rows.at("student3").at(9));
+  EXPECT_GT(dark, 0);
+  EXPECT_LT(dark, 90);
+  std::map<std::string, std::string> outcomes;
+  for (const json& one : said.at("submissions")) outcomes[one.at("student")] = one.at("outcome");
+  EXPECT_EQ(outcomes["student1"], "graded");
+  EXPECT_EQ(outcomes["student2"], "build_failed");
+  EXPECT_EQ(outcomes["student4"], "build_failed");
+  for (const char* name : {"student1", "student2", "student3", "student4"}) {
+    const auto files = tool::names(students.out() / name);
+    for (const char* file :
+         {"index.html", "junit.xml", "record.json", "results.json", "student.html"})
+      EXPECT_EQ(std::ranges::count(files, file), 1) << name << '/' << file;
+  }
+  const std::string page = tool::read(students.out() / "index.html");
+  EXPECT_THAT(page, HasSubstr("student3/index.html"));
+  EXPECT_THAT(tool::read(students.out() / "student4/student.html"), HasSubstr("floor.cpp"));
+  EXPECT_EQ(
+      tool::names(students.out()),
+      (std::vector<std::string>{".ggrade-batch.json", ".ggrade-lock", "gradebook.csv", "index.html",
+                                "student1", "student2", "student3", "student4"}));
+
+  // The same as `grade` says.
+  const tool::Graded alone = tool::grade(students.uploads() / "student3");
+  EXPECT_EQ(alone.score() + alone.bonus(), dark);
+
+  // Nothing to do: nothing is done.
+  const json before = record(students.out() / "student3");
+  const tool::Ended unclear = students.run();
+  EXPECT_EQ(unclear.exitCode, 2);
+  EXPECT_THAT(unclear.errors, HasSubstr("holds an earlier run: --resume grades"));
+  const tool::Ended resumed = students.run({"--resume"});
+  EXPECT_EQ(resumed.exitCode, 0) << resumed.errors;
+  EXPECT_THAT(resumed.out, HasSubstr("0 graded, 4 kept from before, 0 not gradable"));
+  EXPECT_EQ(record(students.out() / "student3"), before);
+
+  // One upload has changed, for the worse.
+  fs::copy_file(students.uploads() / "student3/mirror.frag",
+                students.uploads() / "student1/mirror.frag", fs::copy_options::overwrite_existing);
+  const tool::Ended changed = students.run({"--resume"});
+  EXPECT_EQ(changed.exitCode, 0) << changed.errors;
+  EXPECT_THAT(changed.out, HasSubstr("1 graded, 3 kept from before"));
+  EXPECT_THAT(changed.out, HasSubstr("drop: student1 100 -> "));
+  EXPECT_THAT(tool::read(students.out() / "index.html"), HasSubstr("Since the last run"));
+
+  // Again, and only one.
+  const tool::Ended again = students.run({"--regrade", "--only", "student2"});
+  EXPECT_EQ(again.exitCode, 0) << again.errors;
+  EXPECT_THAT(again.out, HasSubstr("1 graded, 0 kept from before"));
+  const tool::Ended nobody = students.run({"--resume", "--only", "student9"});
+  EXPECT_EQ(nobody.exitCode, 2);
+  EXPECT_THAT(nobody.errors, HasSubstr("--only: no upload is student9's"));
+  EXPECT_THAT(students.run({"--resume", "--seed", "5"}).errors,
+              HasSubstr("was graded with the assignment's own seed: give the same, or --regrade"));
+}
+
+TEST(Batch, WhatIsKilledGoesOnAndEndsTheSame) {
+  Class students;
+  ASSERT_EQ(students.run({"--jobs", "1"}, "whole").exitCode, 0);
+  for (const double seconds : {0.3, 2.5, 5.0}) {
+    tool::Arguments arguments = students.arguments({"--jobs", "1"}, "killed");
+    if (fs::exists(students.out("killed") / ".ggrade-batch.json")) arguments.push_back("--resume");
+    tool::Running running(tool::words(arguments));
+    running.says("nobody says this", seconds);
+    kill(running.pid(), SIGKILL); // the parent alone, as the kernel does it
+    const tool::Ended ended = running.wait(10);
+    EXPECT_TRUE(ended.signal == SIGKILL || ended.exitCode == 0) << ended.errors;
+  }
+  const tool::Ended ended = students.run({"--resume", "--jobs", "1"}, "killed");
+  ASSERT_EQ(ended.exitCode, 0) << ended.errors;
+  EXPECT_EQ(tool::read(students.out("killed") / "gradebook.csv"),
+            tool::read(students.out("whole") / "gradebook.csv"));
+  EXPECT_EQ(tool::names(students.out("killed")), tool::names(students.out("whole")));
+  for (const char* name : {"student1", "student2", "student3", "student4"})
+    EXPECT_EQ(record(students.out("killed") / name), record(students.out("whole") / name)) << name;
+  const json state = json::parse(tool::read(students.out("killed") / ".ggrade-batch.json"));
+  EXPECT_EQ(state.at("finished"), true);
+  EXPECT_EQ(state.at("work"), "");
+}
+
+TEST(Batch, CtrlCKeepsWhatIsDone) {
+  Class students;
+  tool::Running running(tool::words(students.arguments({"--jobs", "1"})));
+  ASSERT_TRUE(running.says("1/4 student1: graded", 100));
+  running.signalGroup(SIGINT);
+  const tool::Ended ended = running.wait(20);
+  EXPECT_EQ(ended.exitCode, 130) << ended.errors;
+  EXPECT_TRUE(fs::exists(students.out() / "student1/record.json"));
+  for (const std::string& name : tool::names(students.out()))
+    EXPECT_THAT(name, testing::AnyOf("student1", "student2", ".ggrade-batch.json", ".ggrade-lock"));
+  const tool::Ended resumed = students.run({"--resume"});
+  EXPECT_EQ(resumed.exitCode, 0);
+  EXPECT_THAT(resumed.out, Not(HasSubstr("4 graded")));
+}
+
+TEST(Batch, SharesOfTwoMachinesAreJoined) {
+  Class students;
+  ASSERT_EQ(students.run({}, "whole").exitCode, 0);
+  ASSERT_EQ(students.run({"--shard", "1/2"}, "one").exitCode, 0);
+  ASSERT_EQ(students.run({"--shard", "2/2"}, "two").exitCode, 0);
+  EXPECT_EQ(gradebook(students.out("one")).size(), 3U);
+  const tool::Ended merged = tool::runTool(
+      {"merge", students.out("one"), students.out("two"), "--out", students.out("joined")});
+  ASSERT_EQ(merged.exitCode, 0) << merged.errors;
+  EXPECT_EQ(tool::read(students.out("joined") / "gradebook.csv"),
+            tool::read(students.out("whole") / "gradebook.csv"));
+  EXPECT_TRUE(fs::exists(students.out("joined") / "student3/student.html"));
+
+  // The same student, with another result.
+  json kept = json::parse(tool::read(students.out("two") / "student2/record.json"));
+  kept["row"]["score"] = 55;
+  kept["row"]["folder"] = "student1";
+  fs::create_directory(students.out("two") / "student1");
+  std::ofstream(students.out("two") / "student1/record.json") << kept;
+  const tool::Ended conflict = tool::runTool(
+      {"merge", students.out("one"), students.out("two"), "--out", students.out("other")});
+  EXPECT_EQ(conflict.exitCode, 1);
+  EXPECT_THAT(conflict.out, HasSubstr("100 in "));
+  EXPECT_THAT(conflict.out, HasSubstr("55 in "));
+  EXPECT_EQ(gradebook(students.out("other")).at("student1").at(9), "100");
+
+  EXPECT_THAT(tool::runTool({"merge", students.uploads(), "--out", students.out("third")}).errors,
+              HasSubstr("holds no graded class"));
+}
+
+TEST(Batch, InstructorsDecisionsSurviveAndAlterNoMachineScore) {
+  Class students;
+  const fs::path overrides = students.file(
+      "decided.csv", "student,item,points,reason,who\nstudent3,,77,<b>Oral</b> exam,Teacher\n"
+                     "student9,,5,gone,Teacher\n");
+  const fs::path submitted = students.file(
+      "times.csv", "student,submitted\nstudent1,2026-11-21T12:00+09:00\n"
+                   "student2,2026-11-19T12:00+09:00\nstudent3,2026-11-22T12:00+09:00\n");
+  const std::string sheet =
+      "\xEF\xBB\xBFIdentifier,\"Full name\",Grade,\"Maximum Grade\",\"Grade can "
+      "be changed\",\"Feedback comments\"\r\nParticipant 1,\"A, B\",,50.00,Yes,\r\n";
+  const fs::path moodle = students.file("sheet.csv", sheet);
+  fs::rename(students.uploads() / "student1",
+             students.uploads() / "Student One_1_assignsubmission_file_");
+  const tool::Arguments more = {"--overrides", overrides,
+                                "--submitted", submitted,
+                                "--due",       "2026-11-20T23:59+09:00",
+                                "--late",      "10% per day, at most 50%",
+                                "--gradebook", "moodle=" + moodle.string()};
+  const tool::Ended ended = students.run(more);
+  ASSERT_EQ(ended.exitCode, 0) << ended.errors;
+  // Moodle's folders beside others: all are read.
+  const auto rows = gradebook(students.out());
+  ASSERT_TRUE(rows.contains("1") || rows.contains("student3")) << ended.out;
+  if (rows.contains("student3")) {
+    EXPECT_EQ(rows.at("student3").at(9), "77");
+    EXPECT_EQ(record(students.out() / "student3").at("row").at("score") < 77, true);
+    EXPECT_THAT(tool::read(students.out() / "student3/student.html"),
+                HasSubstr("&lt;b&gt;Oral&lt;/b&gt; exam"));
+  }
+  EXPECT_THAT(ended.out, HasSubstr("student9"));
+  tool::Arguments again = more;
+  again.push_back("--regrade");
+  ASSERT_EQ(students.run(again).exitCode, 0);
+  EXPECT_EQ(gradebook(students.out()), rows);
+}
+
+TEST(Batch, BadInputIsNamedBeforeAnythingIsGraded) {
+  Class students;
+  const auto error = [&](const tool::Arguments& more) {
+    const tool::Ended ended = students.run(more);
+    EXPECT_EQ(ended.exitCode, 2) << ended.errors;
+    EXPECT_FALSE(fs::exists(students.out() / "student1"));
+    return ended.errors;
+  };
+  EXPECT_THAT(error({"--shard", "3/2"}), HasSubstr("--shard 3/2: write i/n with i from 1 to n"));
+  EXPECT_THAT(error({"--gradebook", "excel=x.csv"}),
+              HasSubstr("--gradebook excel=x.csv: write moodle=FILE or canvas=FILE"));
+  EXPECT_THAT(error({"--late", "10% per day"}),
+              HasSubstr("lateness needs all of --submitted FILE, --due TIME and --late RULE"));
+  EXPECT_THAT(error({"--overrides", students.file("o.csv", "student,points\n")}),
+              HasSubstr("o.csv"));
+  EXPECT_THAT(error({"--reveal", "all"}), HasSubstr("--reveal"));
+  EXPECT_THAT(tool::runTool({"batch", "mirror", "/nowhere", "--out", students.out()}).errors,
+              HasSubstr("/nowhere: there is no such folder or archive"));
+  std::ofstream(students.file("notes", "x"));
+  const tool::Ended foreign = tool::runTool(
+      {"batch", "mirror", students.uploads(), "--out", students.uploads().parent_path()});
+  EXPECT_EQ(foreign.exitCode, 2);
+  EXPECT_THAT(foreign.errors, HasSubstr("which is no earlier result of this tool"));
+}
+
+TEST(Batch, WithoutASandboxEveryResultSaysSo) {
+  Class students;
+  for (const char* name : {"student2", "student3", "student4"})
+    fs::remove_all(students.uploads() / name);
+  const tool::Ended ended = students.run({"--sandbox", "none"});
+  ASSERT_EQ(ended.exitCode, 0) << ended.errors;
+  EXPECT_THAT(ended.errors, HasSubstr("no sandbox: every submission runs as you"));
+  const json results = json::parse(tool::read(students.out() / "student1/results.json"));
+  EXPECT_EQ(results.at("extra_data").at("sandbox"), "none");
+  EXPECT_EQ(results.at("score"), 100) << "the bonus included";
+  EXPECT_EQ(record(students.out() / "student1").at("sandbox"), "none");
+}
+
+} // namespace

@@ -1,0 +1,158 @@
+// Workers that do well, die, hang, lie, or never start; shell scripts in place of the real ones.
+
+#include "batch/pool.hpp"
+
+#include "assignment/usage_error.hpp"
+#include "framework_temporary_folder.hpp"
+#include "grading/workspace.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <thread>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace ggrade;
+using testing::HasSubstr;
+
+constexpr char kGood[] =
+    R"(echo '{"problem":"","outcome":"graded","score":1,"max_score":2,"seconds":0}')";
+
+class BatchPool : public testing::Test {
+protected:
+  /// \param script what a worker does with each job; $line holds it, $n counts from 1
+  std::map<std::string, batch::Answer> run(const std::string& script, std::size_t count,
+                                           unsigned processes = 1, double seconds = 60,
+                                           const std::string& begin = "echo ready") {
+    std::vector<batch::Job> jobs(count);
+    for (std::size_t i = 0; i < count; ++i) jobs[i].upload.name = "student" + std::to_string(i);
+    batch::PoolOptions options;
+    options.program = "/bin/sh";
+    options.worker = {"sh", "-c",
+                      begin + "\nn=0; while read -r line; do n=$((n + 1))\n" + script + "\ndone",
+                      "worker"};
+    options.processes = processes;
+    options.temporary = folder_.path();
+    options.seconds = seconds;
+    std::map<std::string, batch::Answer> answers;
+    batch::runJobs(jobs, options, [&](std::size_t job, const batch::Answer& answer) {
+      const std::string& name = jobs[job].upload.name;
+      EXPECT_FALSE(answers.contains(name)) << name << " was answered twice";
+      answers[name] = answer;
+    });
+    return answers;
+  }
+  std::string mark(const std::string& name) const { return (folder_.path() / name).string(); }
+  bool isMarked(const std::string& name) const { return fs::exists(folder_.path() / name); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(BatchPool, AnswersEveryJobOnce) {
+  for (const unsigned processes : {1U, 3U, 20U}) {
+    const auto answers = run(kGood, 7, processes);
+    ASSERT_EQ(answers.size(), 7U) << processes;
+    for (const auto& [name, answer] : answers) {
+      EXPECT_EQ(answer.problem, "") << name;
+      EXPECT_EQ(answer.outcome, "graded");
+      EXPECT_EQ(answer.score, 1);
+    }
+  }
+}
+
+TEST_F(BatchPool, NoJobsNoWorkers) {
+  EXPECT_TRUE(run("touch " + mark("started"), 0, 2, 60, "touch " + mark("started")).empty());
+  EXPECT_FALSE(isMarked("started"));
+}
+
+TEST_F(BatchPool, WorkersHaveATemporaryFolderOfTheRun) {
+  run("echo \"$TMPDIR\" > " + mark("where") + "\n" + kGood, 1);
+  std::string where;
+  std::ifstream(mark("where")) >> where;
+  EXPECT_EQ(where, folder_.path().string());
+}
+
+TEST_F(BatchPool, TriesAgainWhenAWorkerDies) {
+  const auto answers =
+      run("case $line in *student1*) if ! [ -e " + mark("died") + " ]; then touch " + mark("died") +
+              "; kill -9 $$; fi;; esac\n" + kGood,
+          3);
+  EXPECT_TRUE(isMarked("died"));
+  ASSERT_EQ(answers.size(), 3U);
+  for (const auto& [name, answer] : answers) EXPECT_EQ(answer.problem, "") << name;
+}
+
+TEST_F(BatchPool, GivesUpAfterTwoDeathsAndGoesOn) {
+  const auto answers = run(std::string("case $line in *student1*) kill -9 $$;; esac\n") + kGood, 3);
+  ASSERT_EQ(answers.size(), 3U);
+  EXPECT_EQ(answers.at("student0").problem, "");
+  EXPECT_EQ(answers.at("student1").problem, "the grader's own process died of signal 9");
+  EXPECT_EQ(answers.at("student2").problem, "");
+}
+
+TEST_F(BatchPool, ANotGradableResultIsTriedOnceMore) {
+  const std::string script = "echo x >> " + mark("tries") +
+                             R"(
+echo '{"problem":"","outcome":"not_gradable","score":0,"max_score":2,"seconds":0}')";
+  const auto answers = run(script, 1);
+  EXPECT_EQ(answers.at("student0").outcome, "not_gradable");
+  EXPECT_EQ(fs::file_size(mark("tries")), 4U);
+}
+
+TEST_F(BatchPool, ATimeOutOfASubmissionIsNotTriedAgain) {
+  const std::string script = "echo x >> " + mark("tries") + R"(
+echo '{"problem":"","outcome":"timeout","score":0,"max_score":2,"seconds":0}')";
+  run(script, 1);
+  EXPECT_EQ(fs::file_size(mark("tries")), 2U);
+}
+
+TEST_F(BatchPool, AStuckWorkerDelaysNobodyElse) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto answers =
+      run(std::string("case $line in *student0*) exec sleep 1000;; esac\n") + kGood, 6, 2, 1.0);
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  EXPECT_LT(passed.count(), 20);
+  ASSERT_EQ(answers.size(), 6U);
+  EXPECT_EQ(answers.at("student0").problem, "the grader itself was stuck for 1 s");
+  for (int i = 1; i < 6; ++i) EXPECT_EQ(answers.at("student" + std::to_string(i)).problem, "");
+}
+
+TEST_F(BatchPool, NonsenseIsNoAnswer) {
+  const auto answers = run(
+      std::string("case $line in *student0*) echo '{\"outcome\": ';; *) ") + kGood + ";; esac", 2);
+  EXPECT_EQ(answers.at("student0").problem, "a worker gave an answer that makes no sense");
+  EXPECT_EQ(answers.at("student1").problem, "");
+}
+
+TEST_F(BatchPool, AWorkerThatNeverStartsEndsTheRun) {
+  try {
+    run(kGood, 3, 2, 60, "exit 3");
+    FAIL() << "must throw";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(),
+                 "the grader's own process ended with code 3 before it could grade anything");
+  }
+}
+
+TEST_F(BatchPool, CtrlCEndsTheWorkersToo) {
+  std::thread later([] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    grading::interrupted = true;
+  });
+  EXPECT_THROW(run("echo $$ > " + mark("pid") + "; exec sleep 1000", 2), grading::Interrupted);
+  later.join();
+  grading::interrupted = false;
+  int pid = 0;
+  std::ifstream(mark("pid")) >> pid;
+  ASSERT_GT(pid, 1);
+  EXPECT_NE(kill(pid, 0), 0) << "still running";
+}
+
+} // namespace

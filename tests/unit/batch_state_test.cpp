@@ -1,0 +1,89 @@
+// What a class' folder remembers, who may work in it, and what is swept from it.
+
+#include "batch/state.hpp"
+
+#include "assignment/usage_error.hpp"
+#include "framework_temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include <unistd.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace ggrade;
+using testing::HasSubstr;
+
+std::string messageOf(const auto& run) {
+  try {
+    run();
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+
+TEST(BatchState, ComesBackAsItWas) {
+  const TemporaryFolder out;
+  EXPECT_FALSE(batch::loadState(out.path()));
+  batch::State state;
+  state.target = "mirror";
+  state.seed = 7;
+  state.work = "/tmp/.ggrade-abc";
+  state.run = 4;
+  state.before = {{"s1", 80.5}, {"学生", 0}};
+  batch::saveState(out.path(), state);
+  const auto back = batch::loadState(out.path());
+  ASSERT_TRUE(back);
+  EXPECT_EQ(back->target, "mirror");
+  EXPECT_EQ(back->seed, 7U);
+  EXPECT_EQ(back->work, state.work);
+  EXPECT_EQ(back->run, 4U);
+  EXPECT_FALSE(back->isFinished);
+  EXPECT_EQ(back->before, state.before);
+}
+
+TEST(BatchState, ADamagedOneIsNamed) {
+  const TemporaryFolder out;
+  std::ofstream(out.path() / ".ggrade-batch.json") << "{";
+  EXPECT_THAT(messageOf([&] { batch::loadState(out.path()); }),
+              HasSubstr(".ggrade-batch.json is damaged: move"));
+}
+
+TEST(BatchState, OneRunAtATime) {
+  const TemporaryFolder out;
+  {
+    const batch::Lock first(out.path());
+    EXPECT_THAT(messageOf([&] { batch::Lock second(out.path()); }),
+                HasSubstr("another ggrade is at work in"));
+  }
+  EXPECT_EQ(messageOf([&] { batch::Lock again(out.path()); }), "nothing was thrown");
+}
+
+TEST(BatchState, SweepsWhatAKilledRunLeftAndNothingElse) {
+  const TemporaryFolder out, elsewhere;
+  batch::State state;
+  state.work = elsewhere.path() / ".ggrade-work";
+  fs::create_directories(state.work / "inside");
+  fs::create_directories(out.path() / ".ggrade-half" / "inside");
+  fs::create_directories(out.path() / "s1");
+  std::ofstream(out.path() / ".ggrade-batch.json") << "{}";
+  fs::create_directory_symlink(out.path() / "s1", out.path() / ".ggrade-link");
+  batch::sweep(out.path(), state);
+  EXPECT_FALSE(fs::exists(state.work));
+  EXPECT_FALSE(fs::exists(out.path() / ".ggrade-half"));
+  EXPECT_TRUE(fs::exists(out.path() / "s1"));
+  EXPECT_TRUE(fs::exists(out.path() / ".ggrade-batch.json"));
+  EXPECT_TRUE(fs::is_symlink(out.path() / ".ggrade-link"));
+
+  // A state that names somebody's folder removes nothing.
+  state.work = elsewhere.path();
+  batch::sweep(out.path(), state);
+  EXPECT_TRUE(fs::exists(elsewhere.path()));
+}
+
+} // namespace
