@@ -4,8 +4,12 @@
 #include "cli/write_reports.hpp"
 #include "grading/grade.hpp"
 #include "grading/workspace.hpp"
+#include "intake/names.hpp"
+#include "intake/unpack.hpp"
+#include "report/text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace ggrade::cli {
 
@@ -14,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Options {
-  std::string id, upload, out, reveal = "names";
+  std::string id, upload, out, reveal = "names", sandbox = "bwrap";
   std::uint64_t seed = 0;
   bool haveSeed = false, solution = false, noDiagnosis = false, json = false;
 };
@@ -31,17 +35,34 @@ void grade(const Options& options) {
                                    argument));
   const fs::path out = outputFolder(options.out.empty() ? fs::path("out") / options.id / name
                                                         : fs::path(options.out));
-  requireSandbox();
+  if (!fs::exists(upload))
+    throw UsageError(fmt::format("{}: there is no such folder or archive. Name what holds {}",
+                                 upload.string(), fmt::join(target.assignment.files, ", ")));
+  chooseSandbox(options.sandbox);
 
   Progress progress("grading " + name);
   grading::GradeOptions how;
   how.upload = upload;
+  grading::TemporaryFolder work;
+  intake::Unpacked unpacked;
+  if (!options.solution) {
+    how.upload = work.path() / "upload";
+    intake::Upload one;
+    one.sources = {{fs::canonical(upload), intake::decodeOrEscape(name)}};
+    unpacked = intake::unpack(one, target.assignment.files, how.upload, grading::isolation(),
+                              &grading::interrupted);
+    if (!unpacked.problem.empty())
+      throw UsageError(fmt::format("{}: {}", upload.string(), unpacked.problem));
+  }
   how.solution = options.solution;
   if (options.haveSeed) how.seed = options.seed;
   how.judgeArguments = afterDashes;
   how.diagnosis = !options.noDiagnosis;
   how.progress = std::ref(progress);
-  const report::Result result = grading::grade(target, solutions, how);
+  report::Result result = grading::grade(target, solutions, how);
+  result.submission = report::sanitizeLine(name);
+  for (const auto* list : {&unpacked.refused, &unpacked.remarks})
+    result.unusedFiles.insert(result.unusedFiles.end(), list->begin(), list->end());
   progress.clear();
   writeReports(result, out, *report::parseReveal(options.reveal));
   printResult(result, out, options.json);
@@ -54,7 +75,8 @@ void addGrade(CLI::App& app) {
   auto* command = app.add_subcommand("grade", "Grades one submission");
   auto options = std::make_shared<Options>();
   command->add_option("ID", options->id, "Assignment or part (see ggrade list)")->required();
-  command->add_option("DIR", options->upload, "The folder with the submitted files")->required();
+  command->add_option("DIR", options->upload, "The submitted files: a folder, a zip or tar archive")
+      ->required();
   command->add_option("--out", options->out, "Where the results go (default out/ID/NAME)");
   auto* seed = command
                    ->add_option("--seed", options->seed,
@@ -66,6 +88,11 @@ void addGrade(CLI::App& app) {
   command->add_option("--reveal", options->reveal, "What the student's page says of hidden scenes")
       ->check(CLI::IsMember({"none", "names", "details"}))
       ->capture_default_str();
+  command
+      ->add_option("--sandbox", options->sandbox,
+                   "none: run the program as yourself. Only for one that you trust")
+      ->check(CLI::IsMember({"bwrap", "none"}))
+      ->capture_default_str();
   command->add_flag("--solution", options->solution, "DIR is a trusted folder of solutions/");
   command->add_flag("--no-diagnosis", options->noDiagnosis,
                     "Don't look for the likeliest cause of lost points");
@@ -75,6 +102,7 @@ void addGrade(CLI::App& app) {
       "Exit codes: 0 graded (whatever the score), 1 could not be graded, 2 usage, 3 no sandbox.\n\n"
       "Examples:\n"
       "  ggrade grade mirror uploads/ada\n"
+      "  ggrade grade mirror uploads/ada.zip\n"
       "  ggrade grade mirror solutions/floor --solution\n"
       "  ggrade grade mirror uploads/ada --seed 7 -- --gtest_filter='mirror.shading'");
   command->callback([options, seed] {
