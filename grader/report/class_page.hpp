@@ -5,6 +5,7 @@
 #include "report/results.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ggrade::report {
@@ -41,7 +42,9 @@ struct ClassRow {
   std::string reason;   ///< the diagnosis, what lost most, or the evidence; may be empty
   double score = 0, bonus = 0, maxScore = 0; ///< the machine's
   double penalty = 0;                        ///< points off for lateness
-  double finalScore = 0;                     ///< after adjustments, bonus and penalty
+  /// After adjustments, bonus and penalty. Of what was not gradable it counts only if one of the
+  /// adjustments is of the total.
+  double finalScore = 0;
   std::vector<Adjustment> adjustments;
   std::vector<ClassItem> items;
   std::vector<ClassDiagnosis> diagnoses;
