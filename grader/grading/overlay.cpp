@@ -83,6 +83,17 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
   for (const fs::directory_entry& entry : fs::directory_iterator(upload))
     names.push_back(entry.path().filename().string());
   std::sort(names.begin(), names.end());
+  // The assignment's own files first: what else is there must not crowd them out.
+  const auto others =
+      std::stable_partition(names.begin(), names.end(),
+                            [&](const std::string& name) { return has(assignment.files, name); });
+  if (const auto many = std::size_t(names.end() - others); many > kMostOtherFiles) {
+    result.unused.push_back(fmt::format("{} more files: an upload may have {} beside those of the "
+                                        "assignment",
+                                        many - kMostOtherFiles, kMostOtherFiles));
+    names.erase(others + kMostOtherFiles, names.end());
+  }
+  std::uintmax_t bytes = 0;
   for (const std::string& name : names) {
     if (!takes(assignment, name)) {
       // What was handed out beside the editable files comes back with them, and is no mistake.
@@ -91,11 +102,14 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
       continue;
     }
     std::string content;
-    const std::string reason = readUploaded(upload / name, content);
+    std::string reason = readUploaded(upload / name, content);
+    if (reason.empty() && bytes + content.size() > kLargestUpload)
+      reason = fmt::format("the files before it have {} MiB already", kLargestUpload >> 20);
     if (!reason.empty()) {
       result.unused.push_back(name + ": " + reason);
       continue;
     }
+    bytes += content.size();
     writeFile(into / name, content);
     result.used.push_back(name);
   }

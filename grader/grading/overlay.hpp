@@ -7,6 +7,10 @@
 namespace ggrade::grading {
 
 inline constexpr std::uintmax_t kLargestSource = 1 << 20; ///< bytes of one uploaded file
+/// Of one upload: bytes that are taken of all its files, and names that are looked at beside those
+/// of the assignment. A small archive can hold millions of either.
+inline constexpr std::uintmax_t kLargestUpload = 32 << 20;
+inline constexpr std::size_t kMostOtherFiles = 256;
 
 /// An upload that holds no file of the assignment.
 struct NothingToGrade : UsageError {
@@ -31,8 +35,8 @@ std::vector<std::string> ownFiles(const Assignment& assignment,
 
 /// Copies the clean files of `cleanFolder` (the handed-out ones) and the assignment's JSON files to
 /// `into`, then the editable and optional files of `upload` over them. Only regular files are
-/// taken, no links. Throws UsageError when `upload` is missing, NothingToGrade when it holds no file
-/// of the assignment.
+/// taken, no links, and no more than an upload may have (above). Throws UsageError when `upload` is
+/// missing, NothingToGrade when it holds no file of the assignment.
 Overlay overlay(const Assignment& assignment, const std::filesystem::path& upload,
                 const std::filesystem::path& into);
 
