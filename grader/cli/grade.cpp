@@ -40,7 +40,7 @@ void grade(const Options& options) {
                                  upload.string(), fmt::join(target.assignment.files, ", ")));
   chooseSandbox(options.sandbox);
 
-  Progress progress("grading " + name);
+  Progress progress("grading " + report::sanitizeLine(name)); // whoever hands in names the folder
   grading::GradeOptions how;
   how.upload = upload;
   grading::TemporaryFolder work;

@@ -5,6 +5,7 @@
 #include "report/reports.hpp"
 #include "report/results_json.hpp"
 #include "report/terminal.hpp"
+#include "report/text.hpp"
 
 #include <fmt/format.h>
 
@@ -29,7 +30,7 @@ void printResult(const report::Result& result, const fs::path& out, bool json) {
   report::TerminalStyle style;
   style.colour = wantsColour();
   std::cout << report::terminalTable(result, style)
-            << fmt::format("\n{}\n", (out / "index.html").string());
+            << fmt::format("\n{}\n", report::sanitizeLine((out / "index.html").string(), 4096));
 }
 
 } // namespace ggrade::cli
