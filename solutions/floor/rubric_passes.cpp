@@ -12,6 +12,11 @@ namespace {
 /// A quad or triangle has six vertices at most; the smallest object of a scene has many more.
 constexpr std::uint64_t kMostOfAScreen = 12;
 
+// What is looked at of one frame: many times what a right program has. A program that claims
+// thousands of textures or matrices must not keep the judge busy for hours.
+constexpr std::size_t kMostDrawn = 64;
+constexpr std::size_t kMostMatrices = 24;
+
 const trace::SampleRecord* firstSample(const trace::Trace& trace, const trace::PassRecord& reader,
                                        std::uint32_t writer, const trace::ImageRef& image,
                                        const trace::StepRecord** step) {
@@ -62,6 +67,7 @@ std::vector<Drawn> sampledLater(const trace::Trace& trace) {
         if (firstSample(trace, passes[j], trace.indexOf(pass), image, &drawn.readingStep))
           drawn.reader = &passes[j];
       if (drawn.reader) all.push_back(drawn);
+      if (all.size() == kMostDrawn) return all;
     }
   }
   return all;
@@ -101,9 +107,13 @@ std::vector<glm::dmat4> matricesOf(const trace::Trace& trace, const trace::StepR
 }
 
 std::vector<glm::dmat4> matricesAndProducts(const std::vector<glm::dmat4>& matrices) {
-  std::vector<glm::dmat4> all = matrices;
-  for (const glm::dmat4& a : matrices)
-    for (const glm::dmat4& b : matrices) all.push_back(a * b);
+  std::vector<glm::dmat4> distinct;
+  for (const glm::dmat4& matrix : matrices)
+    if (distinct.size() < kMostMatrices && std::ranges::find(distinct, matrix) == distinct.end())
+      distinct.push_back(matrix);
+  std::vector<glm::dmat4> all = distinct;
+  for (const glm::dmat4& a : distinct)
+    for (const glm::dmat4& b : distinct) all.push_back(a * b);
   return all;
 }
 

@@ -23,7 +23,7 @@ struct Drawn {
 };
 
 /// Every attachment of frame 0 that a later pass of the frame samples and that was copied, in the
-/// order in which the passes drew.
+/// order in which the passes drew; the first 64.
 std::vector<Drawn> sampledLater(const trace::Trace& trace);
 
 /// Was this drawn as a mesh, not as a full-screen quad?
@@ -34,7 +34,7 @@ bool drewObjects(const trace::PassRecord& pass);
 Image resampled(const Image& image, int width, int height, int channels);
 
 /// The matrices that a step used at its first draw (those recorded first under each name), and the
-/// products of two of them, in both orders.
+/// products of two of them, in both orders; of the first 24 that differ.
 std::vector<glm::dmat4> matricesAndProducts(const std::vector<glm::dmat4>& matrices);
 std::vector<glm::dmat4> matricesOf(const trace::Trace& trace, const trace::StepRecord& step);
 

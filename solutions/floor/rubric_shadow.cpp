@@ -28,6 +28,8 @@ constexpr float kLeastLight = 10.0f / 255;
 constexpr float kLeastOnObjects = 24.0f / 255;
 /// A map may be drawn from this far off the light, as a share of the objects' distance.
 constexpr double kOffLight = 0.1;
+/// Depth maps that are looked at: each is read through hundreds of matrices.
+constexpr int kMostMaps = 8;
 
 const Image& probe(const View& view, const char* name, std::size_t frame) {
   return view.scene.probes.at(name).at(frame);
@@ -237,8 +239,10 @@ struct MapVerdict {
 MapVerdict bestMap(const View& view) {
   const LightPoints& points = lightPoints(view);
   MapVerdict best;
+  int maps = 0;
   for (const Drawn& drawn : sampledLater(view.trace)) {
     if (drawn.attachment != trace::kDepth || !drewObjects(*drawn.pass)) continue;
+    if (++maps > kMostMaps) break;
     best.found = true;
     const Image map = view.trace.image(*drawn.copy);
     const float background =
