@@ -1,0 +1,1 @@
+-wrapper /usr/bin/touch,/scratch/owned
