@@ -160,6 +160,20 @@ LightComparison better(const LightComparison& a, const LightComparison& b) {
   return a.wrongShare <= b.wrongShare ? a : b;
 }
 
+/// Every filter makes the same of black, of one colour, and of light near the end of what a float
+/// holds: a level of that shows no filter.
+bool provesNothing(const Image& filtered) {
+  if (findNonFinite(filtered)) return true;
+  const auto channels = std::size_t(filtered.channels());
+  std::vector<double> mean(channels);
+  for (std::size_t i = 0; i < filtered.values().size(); ++i)
+    mean[i % channels] += double(filtered.values()[i]) / double(filtered.pixelCount());
+  Image flat = filtered;
+  for (std::size_t i = 0; i < flat.values().size(); ++i)
+    flat.values()[i] = float(mean[i % channels]);
+  return compareLight(flat, filtered, 1).wrongShare < kNothingOfPass;
+}
+
 GGRADE_ITEM("bloom.levels", [](const View& view) {
   const Pyramid& wanted = referencePyramid(view);
   const Pyramid& found = pyramidOf(view);
@@ -178,11 +192,9 @@ GGRADE_ITEM("bloom.levels", [](const View& view) {
     const LightComparison light = compareLight(found.levels[k].down, level.down, gain);
     const Image& before = found.levels[k - 1].down;
     if (light.wrongShare < kOtherWays || before.empty() || findNonFinite(before)) return light;
-    float most = 0;
-    for (const float value : before.values()) most = std::max(most, value);
-    if (most <= 0) return light; // black from black proves nothing
-    return better(light,
-                  compareLight(found.levels[k].down, byTent(before, level.width, level.height), 1));
+    const Image filtered = byTent(before, level.width, level.height);
+    if (provesNothing(filtered)) return light;
+    return better(light, compareLight(found.levels[k].down, filtered, 1));
   });
   if (brightPass(view).wrongShare > kNothingLeft)
     verdict.message = "after a wrong bright pass: " + verdict.message;
@@ -208,12 +220,9 @@ GGRADE_ITEM("bloom.sum", [](const View& view) {
         findNonFinite(smaller))
       return light;
     Image sum = byTent(smaller, own.width(), own.height());
-    float most = 0;
-    for (std::size_t i = 0; i < sum.values().size(); ++i) {
-      most = std::max(most, sum.values()[i]);
-      sum.values()[i] += own.values()[i];
-    }
-    if (most <= 0) return light;
+    if (provesNothing(sum)) return light; // of what was added: the level itself is there anyway
+    for (std::size_t i = 0; i < sum.values().size(); ++i) sum.values()[i] += own.values()[i];
+    if (findNonFinite(sum)) return light;
     return better(light, compareLight(found.levels[k].up, sum, 1));
   });
   return passOrPicture(view, verdict.quality, verdict.message);
