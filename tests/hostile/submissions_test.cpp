@@ -222,8 +222,12 @@ std::vector<std::string> leftOver() {
 
 /// A page as its reader sees it, without markup's escapes, and with a line an entry.
 std::string unescaped(std::string page) {
-  for (const auto& [from, to] :
-       {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&#39;", "'"}, {"&amp;", "&"}})
+  for (const auto& [from, to] : {std::pair{"<li>", "\n"},
+                                 {"&lt;", "<"},
+                                 {"&gt;", ">"},
+                                 {"&quot;", "\""},
+                                 {"&#39;", "'"},
+                                 {"&amp;", "&"}})
     page = replaceAll(page, from, to);
   return page;
 }

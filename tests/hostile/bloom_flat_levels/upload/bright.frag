@@ -1,0 +1,5 @@
+#version 410 core
+layout(location = 0) out vec4 oColor;
+void main() {
+  oColor = vec4(0.5);
+}
