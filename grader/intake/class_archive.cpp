@@ -33,9 +33,10 @@ void unpackClass(const fs::path& archive, const fs::path& into, sandbox::Isolati
                                  "uploads, or the archive of all",
                                  archive.string()));
   fs::create_directory(into);
-  Contents contents(kClassLimits);
+  Contents contents(kClassLimits, Case::kept); // Ada and ada are two students
   try {
-    const std::string bundle = bundleOf(archive, into, kClassLimits, isolation, cancel);
+    const std::string bundle =
+        bundleOf(fs::canonical(archive), into, kClassLimits, isolation, cancel);
     for (const Entry& entry : entriesOf(bundle, kClassLimits)) contents.add(entry);
   } catch (const UploadProblem& problem) {
     throw UsageError(fmt::format("{} {}. Unpack it yourself and name the folder", archive.string(),

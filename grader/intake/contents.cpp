@@ -106,7 +106,7 @@ void Contents::refuse(std::string_view shownName, std::string_view reason) {
 }
 
 std::string Contents::conflict(const std::string& path) {
-  const std::string folded = caseFolded(path);
+  const std::string folded = case_ == Case::ignored ? caseFolded(path) : path;
   const auto [before, isNew] = taken_.try_emplace(folded, path);
   if (!isNew && before->second == path) return "is there twice: the first counts";
   if (!isNew) return fmt::format("differs from {} in case only: the first counts", before->second);

@@ -28,12 +28,16 @@ struct File {
   std::int64_t modified = 0; ///< seconds since 1970
 };
 
+/// Are names that differ only in case one? So they are where most students and instructors work.
+enum class Case { ignored, kept };
+
 class Contents {
 public:
-  explicit Contents(const Limits& limits) : limits_(limits) {}
+  explicit Contents(const Limits& limits, Case names = Case::ignored)
+      : limits_(limits), case_(names) {}
 
-  /// Takes a file, refuses something else by name, counts clutter. Of names that are equal, or
-  /// differ in case only, the first counts. Throws UploadProblem beyond the limits.
+  /// Takes a file, refuses something else by name, counts clutter. Of equal names the first
+  /// counts. Throws UploadProblem beyond the limits.
   void add(const Entry& entry);
   void refuse(std::string_view shownName, std::string_view reason);
 
@@ -48,11 +52,12 @@ private:
   std::string conflict(const std::string& path);
 
   Limits limits_;
+  Case case_;
   std::vector<File> files_;
   std::vector<std::string> refused_;
   std::map<std::string, std::size_t> clutter_;
-  std::map<std::string, std::string> taken_; ///< path by case-folded path, of files
-  std::set<std::string> folders_;            ///< of files, case-folded
+  std::map<std::string, std::string> taken_; ///< path by `case_`'s key, of files
+  std::set<std::string> folders_;            ///< of files, as keys
   std::size_t entries_ = 0;
   std::size_t clutterCount_ = 0;
   std::uint64_t bytes_ = 0;

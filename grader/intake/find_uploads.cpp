@@ -103,7 +103,8 @@ std::int64_t newest(const fs::path& path) {
   };
   look(path);
   if (kindAt(path) == Kind::folder)
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(path, fs::directory_options::skip_permission_denied))
       look(entry.path());
   return time;
 }

@@ -49,7 +49,8 @@ struct Intake {
 ///   `wanted` or an archive; the highest number counts.
 ///
 /// \param wanted names of the files that students edit
-/// \param work exists
+/// \param work exists, and no `class` in it
+/// \param cancel as in sandbox::run; look at it when the call is over
 /// Throws UsageError with the remedy when there is nothing to grade, and std::runtime_error where
 /// the sandbox doesn't start.
 Intake findUploads(const std::filesystem::path& source, const std::vector<std::string>& wanted,

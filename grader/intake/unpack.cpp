@@ -42,13 +42,15 @@ public:
 private:
   void addFolder(const fs::path& folder, const std::string& prefix, std::size_t depth) {
     std::vector<fs::path> paths;
-    std::size_t count = 0;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-      if (++count > kUploadLimits.clutter)
+    std::error_code error;
+    fs::directory_iterator entry(folder, error);
+    for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+      paths.push_back(entry->path());
+      if (paths.size() > kUploadLimits.clutter)
         throw UploadProblem(
             fmt::format("holds more than {} files and folders", kUploadLimits.clutter));
-      paths.push_back(entry.path());
     }
+    if (error) contents.refuse(safePath(prefix + '.').shown, "can't be read: " + error.message());
     std::sort(paths.begin(), paths.end());
     for (const fs::path& path : paths) {
       const std::string name = prefix + path.filename().string();

@@ -25,6 +25,7 @@ struct Unpacked {
 /// file ends in `.cpp`. Sources in Shift_JIS (CP932) become UTF-8. Byte-order marks and CRLF stay:
 /// compilers read them.
 /// \param wanted names of the files that students edit
+/// \param cancel as in sandbox::run; look at it when the call is over
 /// Throws UsageError if `into` can't be used, and std::runtime_error where the sandbox doesn't
 /// start; neither is the student's fault.
 Unpacked unpack(const Upload& upload, const std::vector<std::string>& wanted,

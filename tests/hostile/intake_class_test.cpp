@@ -51,6 +51,10 @@ TEST_P(ClassArchive, KeepsTheTimesThatAttemptsAreToldApartBy) {
   EXPECT_EQ(textOf(intake.uploads[0].sources[0].path / "floor.cpp"), "later");
 }
 
+TEST_P(ClassArchive, StudentsWhoseNamesDifferInCaseAreTwo) {
+  EXPECT_EQ(find(zipOf({{"Ada/floor.cpp", ""}, {"ada/floor.cpp", ""}})).uploads.size(), 2u);
+}
+
 TEST_P(ClassArchive, LinksInItAreNotMade) {
   const Intake intake = find(zipOf({{"student1/floor.cpp", ""},
                                     {"student2", "/etc", 0, 3, 0120777},
