@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::string_view kDelimiters = ",;\t";
 
-// Line ends of any kind before `end`: LF, CRLF and CR count one each.
+// LF, CRLF and CR count one each.
 std::size_t lineEnds(std::string_view text) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < text.size(); ++i)
