@@ -27,7 +27,7 @@ public:
     broken.write("floor.cpp", "int main( {");
     add("student2", broken);
     tool::Submission dark = tool::Submission::solution();
-    dark.replace("mirror.frag", "oColor = ", "oColor = 0.0 * ");
+    dark.replace("tile.frag", "* reflected", "* reflected * 0.3");
     add("student3", dark);
     fs::create_directory(uploads() / "student4"); // handed in nothing
   }
@@ -82,7 +82,7 @@ TEST(Batch, WritesAFolderAStudentAGradebookAndAPage) {
   EXPECT_EQ(said.at("unfinished"), json::array());
   const auto rows = gradebook(students.out());
   ASSERT_EQ(rows.size(), 5U);
-  EXPECT_EQ(rows.at("student1").at(9), "100");
+  EXPECT_EQ(rows.at("student1").at(9), "110");
   EXPECT_EQ(rows.at("student2").at(9), "0");
   EXPECT_EQ(rows.at("student4").at(9), "0");
   const double dark = std::stod(rows.at("student3").at(9));
@@ -122,12 +122,12 @@ TEST(Batch, WritesAFolderAStudentAGradebookAndAPage) {
   EXPECT_EQ(record(students.out() / "student3"), before);
 
   // One upload has changed, for the worse.
-  fs::copy_file(students.uploads() / "student3/mirror.frag",
-                students.uploads() / "student1/mirror.frag", fs::copy_options::overwrite_existing);
+  fs::copy_file(students.uploads() / "student3/tile.frag",
+                students.uploads() / "student1/tile.frag", fs::copy_options::overwrite_existing);
   const tool::Ended changed = students.run({"--resume"});
   EXPECT_EQ(changed.exitCode, 0) << changed.errors;
   EXPECT_THAT(changed.out, HasSubstr("1 graded, 3 kept from before"));
-  EXPECT_THAT(changed.out, HasSubstr("drop: student1 100 -> "));
+  EXPECT_THAT(changed.out, HasSubstr("drop: student1 110 -> "));
   EXPECT_THAT(tool::read(students.out() / "index.html"), HasSubstr("Since the last run"));
 
   // Again, and only one.
@@ -202,9 +202,9 @@ TEST(Batch, SharesOfTwoMachinesAreJoined) {
   const tool::Ended conflict = tool::runTool(
       {"merge", students.out("one"), students.out("two"), "--out", students.out("other")});
   EXPECT_EQ(conflict.exitCode, 1);
-  EXPECT_THAT(conflict.out, HasSubstr("100 in "));
+  EXPECT_THAT(conflict.out, HasSubstr("110 in "));
   EXPECT_THAT(conflict.out, HasSubstr("55 in "));
-  EXPECT_EQ(gradebook(students.out("other")).at("student1").at(9), "100");
+  EXPECT_EQ(gradebook(students.out("other")).at("student1").at(9), "110");
 
   EXPECT_THAT(tool::runTool({"merge", students.uploads(), "--out", students.out("third")}).errors,
               HasSubstr("holds no graded class"));
@@ -212,18 +212,21 @@ TEST(Batch, SharesOfTwoMachinesAreJoined) {
 
 TEST(Batch, InstructorsDecisionsSurviveAndAlterNoMachineScore) {
   Class students;
-  const fs::path overrides = students.file(
-      "decided.csv", "student,item,points,reason,who\nstudent3,,77,<b>Oral</b> exam,Teacher\n"
-                     "student9,,5,gone,Teacher\n");
-  const fs::path submitted = students.file(
-      "times.csv", "student,submitted\nstudent1,2026-11-21T12:00+09:00\n"
-                   "student2,2026-11-19T12:00+09:00\nstudent3,2026-11-22T12:00+09:00\n");
-  const std::string sheet =
-      "\xEF\xBB\xBFIdentifier,\"Full name\",Grade,\"Maximum Grade\",\"Grade can "
-      "be changed\",\"Feedback comments\"\r\nParticipant 1,\"A, B\",,50.00,Yes,\r\n";
-  const fs::path moodle = students.file("sheet.csv", sheet);
+  for (const char* name : {"student2", "student4"}) fs::remove_all(students.uploads() / name);
   fs::rename(students.uploads() / "student1",
              students.uploads() / "Student One_1_assignsubmission_file_");
+  fs::rename(students.uploads() / "student3",
+             students.uploads() / "学生三_3_assignsubmission_file_");
+  const fs::path overrides = students.file(
+      "decided.csv", "student,item,points,reason,who\n3,,77,<b>Oral</b> exam,Teacher\n"
+                     "9,,5,gone,Teacher\n");
+  const fs::path submitted = students.file(
+      "times.csv", "student,submitted\n1,2026-11-21T12:00+09:00\n3,2026-11-22T12:00+09:00\n");
+  const std::string before = "\xEF\xBB\xBFIdentifier,\"Full name\",Grade,\"Maximum Grade\",\"Grade "
+                             "can be changed\",\"Feedback comments\"\r\nParticipant 1,\"A, B\",";
+  const std::string between = ",50.00,Yes,";
+  const std::string after = "\r\nParticipant 7,\"C\",,50.00,Yes,\r\n";
+  const fs::path moodle = students.file("sheet.csv", before + between + after);
   const tool::Arguments more = {"--overrides", overrides,
                                 "--submitted", submitted,
                                 "--due",       "2026-11-20T23:59+09:00",
@@ -231,20 +234,34 @@ TEST(Batch, InstructorsDecisionsSurviveAndAlterNoMachineScore) {
                                 "--gradebook", "moodle=" + moodle.string()};
   const tool::Ended ended = students.run(more);
   ASSERT_EQ(ended.exitCode, 0) << ended.errors;
-  // Moodle's folders beside others: all are read.
   const auto rows = gradebook(students.out());
-  ASSERT_TRUE(rows.contains("1") || rows.contains("student3")) << ended.out;
-  if (rows.contains("student3")) {
-    EXPECT_EQ(rows.at("student3").at(9), "77");
-    EXPECT_EQ(record(students.out() / "student3").at("row").at("score") < 77, true);
-    EXPECT_THAT(tool::read(students.out() / "student3/student.html"),
-                HasSubstr("&lt;b&gt;Oral&lt;/b&gt; exam"));
-  }
-  EXPECT_THAT(ended.out, HasSubstr("student9"));
+  ASSERT_EQ(rows.size(), 3U);
+  const double machine = std::stod(rows.at("1").at(7));
+  EXPECT_GE(machine, 100);
+  EXPECT_EQ(rows.at("1").at(8), "10");
+  EXPECT_EQ(std::stod(rows.at("1").at(9)), machine - 10);
+  // A total that a person has given is the last word, lateness or not.
+  EXPECT_EQ(rows.at("3").at(8), "0");
+  EXPECT_EQ(rows.at("3").at(9), "77");
+  const fs::path folder = students.out() / "学生三_3";
+  EXPECT_LT(record(folder).at("row").at("score"), 77);
+  EXPECT_EQ(json::parse(tool::read(folder / "results.json")).at("extra_data").at("max_score"), 100);
+  EXPECT_THAT(tool::read(folder / "student.html"), HasSubstr("&lt;b&gt;Oral&lt;/b&gt; exam"));
+  EXPECT_THAT(tool::read(students.out() / "Student_One_1/student.html"),
+              HasSubstr("Handed in late: 10 points off"));
+  EXPECT_THAT(ended.out, HasSubstr("decided.csv:3"));
+  EXPECT_THAT(ended.out, HasSubstr("Participant 7"));
+
+  const std::string filled = tool::read(students.out() / "moodle.csv");
+  ASSERT_TRUE(filled.starts_with(before)) << filled;
+  ASSERT_TRUE(filled.ends_with(after)) << filled;
+  EXPECT_THAT(filled, HasSubstr(between));
+
   tool::Arguments again = more;
   again.push_back("--regrade");
   ASSERT_EQ(students.run(again).exitCode, 0);
   EXPECT_EQ(gradebook(students.out()), rows);
+  EXPECT_THAT(tool::read(folder / "student.html"), HasSubstr("&lt;b&gt;Oral&lt;/b&gt; exam"));
 }
 
 TEST(Batch, BadInputIsNamedBeforeAnythingIsGraded) {
@@ -281,7 +298,7 @@ TEST(Batch, WithoutASandboxEveryResultSaysSo) {
   EXPECT_THAT(ended.errors, HasSubstr("no sandbox: every submission runs as you"));
   const json results = json::parse(tool::read(students.out() / "student1/results.json"));
   EXPECT_EQ(results.at("extra_data").at("sandbox"), "none");
-  EXPECT_EQ(results.at("score"), 100) << "the bonus included";
+  EXPECT_EQ(results.at("score"), 110) << "100 and the bonus";
   EXPECT_EQ(record(students.out() / "student1").at("sandbox"), "none");
 }
 
