@@ -20,9 +20,6 @@
 
 namespace tool {
 
-const fs::path kSource = GGRADE_SOURCE_DIR;
-const fs::path kBuild = GGRADE_BUILD_DIR;
-
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -22,7 +22,7 @@ using Arguments = std::vector<std::string>;
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
 /// The root of the source tree, and of this build.
-extern const fs::path kSource, kBuild;
+inline const fs::path kSource = GGRADE_SOURCE_DIR, kBuild = GGRADE_BUILD_DIR;
 
 /// How a command ended.
 struct Ended {
