@@ -48,21 +48,34 @@ TEST_F(BadInput, MissingFolder) {
 }
 
 TEST_F(BadInput, AFileInPlaceOfAFolder) {
-  expectRefusal(gradeInto(folder_.write("ada.txt", "hello")), HasSubstr("is not a folder"));
+  expectRefusal(gradeInto(folder_.write("ada.txt", "hello")),
+                HasSubstr("ada.txt: the upload holds none of floor.cpp, mirror.hpp, "));
 }
 
 TEST_F(BadInput, EmptyFolder) {
   fs::create_directory(folder_.path() / "ada");
   expectRefusal(gradeInto(folder_.path() / "ada"),
-                AllOf(HasSubstr("holds no file of floor"), HasSubstr("floor.cpp, mirror.hpp, ")));
+                HasSubstr("ada: the upload holds none of floor.cpp, mirror.hpp, "));
   expectRefusal({"render", folder_.path() / "ada", "--out", out_},
                 AllOf(HasSubstr("ID.cpp"), HasSubstr("ggrade list")));
 }
 
 TEST_F(BadInput, FolderWithOtherFilesOnly) {
   folder_.write("ada/main.cpp", "int main() {}\n");
-  folder_.write("ada/floor/floor.cpp", "int main() {}\n");
-  expectRefusal(gradeInto(folder_.path() / "ada"), HasSubstr("holds no file of floor"));
+  folder_.write("ada/floor/other.cpp", "int main() {}\n");
+  expectRefusal(gradeInto(folder_.path() / "ada"), HasSubstr("the upload holds none of floor.cpp"));
+}
+
+TEST_F(BadInput, AnArchiveWithAFolderInItIsNone) {
+  const Submission solution = Submission::solution();
+  const fs::path archive = folder_.path() / "ada.tar.gz";
+  const Ended packed =
+      Running({"/usr/bin/tar", "-czf", archive, "-C", solution.path().parent_path(), "submission"})
+          .wait(20);
+  ASSERT_EQ(packed.exitCode, 0) << packed.errors;
+  const Graded graded = grade(archive);
+  EXPECT_EQ(graded.score(), 100);
+  EXPECT_EQ(graded.results.at("extra_data").at("submission"), "ada.tar.gz");
 }
 
 TEST_F(BadInput, UnknownAssignmentListsWhatThereIs) {
@@ -220,7 +233,9 @@ TEST_F(BadInput, WhatAnUploadHoldsBesidesIsNamed) {
   ASSERT_EQ(mkfifo((upload.path() / "object.vert").c_str(), 0644), 0);
   upload.write("extra.frag", std::string((1 << 20) + 1, ' '));
   upload.write("notes.txt", "hello").write("<b>.cpp", "int main() {}").write("floor.cpp~", "");
+  upload.write("make.log", "");
   fs::create_directory(upload.path() / "build");
+  fs::rename(upload.path() / "make.log", upload.path() / "build/make.log");
   fs::create_directory(upload.path() / "folder.vert");
   fs::create_symlink("/dev/zero", upload.path() / "zero.vert");
   upload.write("assignment.json", "not even JSON").write("scene.json", "{\"size\": [1, 1]}");
@@ -232,11 +247,11 @@ TEST_F(BadInput, WhatAnUploadHoldsBesidesIsNamed) {
   for (const auto& line : graded.results.at("extra_data").at("unused_files"))
     unused += line.get<std::string>() + "\n";
   for (const char* line :
-       {"object.frag: a link", "object.vert: not a regular file",
+       {"object.frag: is a symbolic link", "object.vert: is a FIFO",
         "extra.frag: larger than 1024 KiB", "notes.txt: not a file of this assignment",
         "<b>.cpp: not a file of this assignment", "floor.cpp~: not a file of this assignment",
-        "build: not a file of this assignment", "folder.vert: not a regular file",
-        "zero.vert: a link", "object.frag: not in the upload; the handed-out file stands in"})
+        "zero.vert: is a symbolic link",
+        "object.frag: not in the upload; the handed-out file stands in"})
     EXPECT_THAT(unused, HasSubstr(line));
   EXPECT_THAT(graded.results.at("output").get<std::string>(), HasSubstr("Not used: notes.txt"));
 }
