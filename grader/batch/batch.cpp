@@ -120,6 +120,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   grading::prepareReferences(target, solutionFolder, plan, preparing);
   const std::string grader = grading::hashOf(grading::gradingKey(target, solutionFolder, plan));
   std::vector<Job> jobs;
+  std::size_t otherGrader = 0;
   for (intake::Upload& upload : intake.uploads) {
     Job job{std::move(upload), {}};
     job.key = keyOf(job.upload);
@@ -127,11 +128,17 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
     const bool holds = record && record->upload == job.key && record->grader == grader &&
                        record->row.outcome != report::Outcome::notGradable &&
                        record->run == state.run;
+    otherGrader += record && record->upload == job.key && record->grader != grader;
     if (holds && !(options.regrade && !options.only.empty()))
       ++outcome.kept;
     else
       jobs.push_back(std::move(job));
   }
+
+  if (otherGrader > 0)
+    outcome.remarks.push_back(fmt::format("{} of the results here are from before the tool, the "
+                                          "points or the solution changed: graded again",
+                                          otherGrader));
 
   PoolOptions pool;
   pool.processes = options.jobs;
