@@ -20,9 +20,7 @@ Todo readTodo(const json& from) {
 }
 
 report::ItemKind readKind(const std::string& kind) {
-  if (kind == "gain") return report::ItemKind::gain;
-  if (kind == "keep") return report::ItemKind::keep;
-  if (kind == "bonus") return report::ItemKind::bonus;
+  if (const auto known = report::parseItemKind(kind)) return *known;
   throw UsageError(fmt::format("kind must be gain, keep or bonus, but is \"{}\"", kind));
 }
 

@@ -70,6 +70,9 @@ struct Target {
   std::vector<Part> parts; ///< one, or all of the assignment
   std::string id;          ///< as it was named: "mirror" or "floor"
 
+  /// The part's, or where several are graded together the assignment's.
+  const std::string& title() const { return parts.size() == 1 ? parts[0].title : assignment.title; }
+
   double maxScore() const; ///< sum of the points of the gain items
   /// With the points as declared, or where several parts are graded together, times the part's
   /// weight.

@@ -51,9 +51,7 @@ State open(const Target& target, const BatchOptions& options) {
     for (const fs::directory_entry& entry : fs::directory_iterator(options.out))
       if (const std::string name = entry.path().filename().string();
           name != ".ggrade-lock" && name != "overrides.csv")
-        throw UsageError(fmt::format("{} holds {}, which is no earlier result of this tool: name "
-                                     "another folder with --out, or move it away",
-                                     options.out.string(), name));
+        grading::refuseForeign(options.out, name);
     State fresh;
     fresh.target = target.id;
     fresh.seed = options.seed;

@@ -49,11 +49,13 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
     throw UsageError(fmt::format("{} is not empty: name a new folder with --out", out.string()));
   const Lock lock(out);
   Merged merged;
+  State joined;
   std::map<std::string, std::pair<Record, fs::path>> taken;
   for (const fs::path& folder : from) {
     const auto state = loadState(folder);
     if (!state) throw UsageError(fmt::format("{} holds no graded class", folder.string()));
-    merged.target = state->target;
+    joined.target = merged.target = state->target;
+    joined.seed = state->seed;
     if (!state->isFinished)
       merged.remarks.push_back(
           fmt::format("{} is not finished: go on with it by --resume", folder.string()));
@@ -80,11 +82,8 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
       taken.emplace(name, std::pair{std::move(record), folder});
     }
   }
-  State state;
-  state.target = merged.target;
-  if (!from.empty()) state.seed = loadState(from[0])->seed;
-  state.isFinished = merged.remarks.empty();
-  saveState(out, state);
+  joined.isFinished = merged.remarks.empty();
+  saveState(out, joined);
   return merged;
 }
 

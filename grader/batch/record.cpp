@@ -10,34 +10,18 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <array>
 
 namespace ggrade::batch {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
 using report::ClassRow;
-using report::ItemKind;
-using report::Outcome;
 
 namespace {
 
 constexpr char kRecord[] = "record.json";
 constexpr char kThumbnail[] = "thumbnail.png";
-constexpr std::array kKinds = {"gain", "keep", "bonus"};
 constexpr std::size_t kFeedbackBytes = 4000;
-
-template <class Enum> Enum byName(const std::string& text, Enum last) {
-  for (int i = 0; i <= int(last); ++i)
-    if (report::name(Enum(i)) == text) return Enum(i);
-  throw std::runtime_error("unknown outcome " + text);
-}
-
-ItemKind kindOf(const std::string& text) {
-  const auto found = std::find(kKinds.begin(), kKinds.end(), text);
-  if (found == kKinds.end()) throw std::runtime_error("unknown kind " + text);
-  return ItemKind(found - kKinds.begin());
-}
 
 /// What a student can act on, without pages at hand.
 std::string feedbackOf(const report::Result& result, report::Reveal reveal) {
@@ -60,7 +44,7 @@ json toJson(const ClassRow& row) {
   for (const report::ClassItem& item : row.items)
     items.push_back({{"id", item.id},
                      {"title", item.title},
-                     {"kind", kKinds[std::size_t(item.kind)]},
+                     {"kind", report::name(item.kind)},
                      {"earned", item.earned},
                      {"points", item.points},
                      {"judged", item.judged}});
@@ -71,8 +55,8 @@ json toJson(const ClassRow& row) {
           {"headline", row.headline},  {"reason", row.reason},
           {"score", row.score},        {"bonus", row.bonus},
           {"max_score", row.maxScore}, {"items", items},
-          {"diagnoses", diagnoses},    {"submitted", row.submitted},
-          {"remarks", row.remarks},    {"seconds", row.seconds}};
+          {"diagnoses", diagnoses},    {"remarks", row.remarks},
+          {"seconds", row.seconds}};
 }
 
 ClassRow rowFrom(const json& kept) {
@@ -80,18 +64,18 @@ ClassRow rowFrom(const json& kept) {
   kept.at("folder").get_to(row.folder);
   kept.at("student").get_to(row.student);
   kept.at("name").get_to(row.name);
-  row.outcome = byName(kept.at("outcome").get<std::string>(), Outcome::notGradable);
+  row.outcome = report::parseOutcome(kept.at("outcome").get<std::string>()).value();
   kept.at("headline").get_to(row.headline);
   kept.at("reason").get_to(row.reason);
   kept.at("score").get_to(row.score);
   kept.at("bonus").get_to(row.bonus);
   kept.at("max_score").get_to(row.maxScore);
   for (const json& item : kept.at("items"))
-    row.items.push_back({item.at("id"), item.at("title"), kindOf(item.at("kind")),
+    row.items.push_back({item.at("id"), item.at("title"),
+                         report::parseItemKind(item.at("kind").get<std::string>()).value(),
                          item.at("earned"), item.at("points"), item.at("judged")});
   for (const json& diagnosis : kept.at("diagnoses"))
     row.diagnoses.push_back({diagnosis.at("id"), diagnosis.at("text")});
-  kept.at("submitted").get_to(row.submitted);
   kept.at("remarks").get_to(row.remarks);
   kept.at("seconds").get_to(row.seconds);
   return row;

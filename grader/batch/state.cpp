@@ -1,6 +1,7 @@
 #include "batch/state.hpp"
 
 #include "assignment/assignment.hpp"
+#include "grading/workspace.hpp"
 #include "report/write_file.hpp"
 
 #include <fmt/format.h>
@@ -23,12 +24,13 @@ namespace {
 
 constexpr char kState[] = ".ggrade-batch.json";
 constexpr char kLock[] = ".ggrade-lock";
-constexpr char kTemporary[] = ".ggrade-"; ///< as grading::TemporaryFolder names its folders
 
 void removeOurs(const fs::path& folder) {
   struct stat status {};
   if (lstat(folder.c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) return;
-  if (status.st_uid != geteuid() || !folder.filename().string().starts_with(kTemporary)) return;
+  if (status.st_uid != geteuid() ||
+      !folder.filename().string().starts_with(grading::kTemporaryMark))
+    return;
   std::error_code none;
   fs::remove_all(folder, none);
 }

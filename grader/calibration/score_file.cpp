@@ -26,8 +26,8 @@ Score scoreFrom(const json& from) {
   score.bonus = from.at("bonus");
   score.earned = from.at("earned").get<std::map<std::string, double>>();
   score.messages = from.at("messages").get<std::map<std::string, std::string>>();
-  for (int i = 0; i <= int(report::Outcome::notGradable); ++i)
-    if (report::name(report::Outcome(i)) == from.at("outcome")) score.outcome = report::Outcome(i);
+  score.outcome =
+      report::parseOutcome(from.at("outcome").get<std::string>()).value_or(report::Outcome::graded);
   return score;
 }
 

@@ -20,10 +20,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string titleOf(const Target& target) {
-  return target.parts.size() == 1 ? target.parts[0].title : target.assignment.title;
-}
-
 void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes& notes,
               const batch::Outcome& outcome, const fs::path& out, bool asJson) {
   std::size_t notGradable = 0;
@@ -84,7 +80,7 @@ void runBatch(const BatchCommand& command) {
                         [&](const batch::Step& step) { progress(step); });
   progress.clear();
   batch::PageNotes notes;
-  notes.title = titleOf(target);
+  notes.title = target.title();
   notes.changes = outcome.changes;
   notes.remarks = outcome.remarks;
   if (how.shard.of > 1)
@@ -101,7 +97,7 @@ void runMerge(const std::vector<std::string>& from, const std::string& outText,
   const batch::Books books(options, out);
   const batch::Merged merged = batch::mergeClasses(folders, out);
   batch::PageNotes notes;
-  notes.title = titleOf(findTarget(assignmentsFolder(), merged.target));
+  notes.title = findTarget(assignmentsFolder(), merged.target).title();
   notes.remarks = merged.remarks;
   notes.remarks.insert(notes.remarks.end(), merged.conflicts.begin(), merged.conflicts.end());
   const auto rows = books.write(out, notes);

@@ -25,8 +25,8 @@ std::filesystem::path
 solutionFolder(const std::string& assignment); ///< throws UsageError if there is none
 /// Ends the command (kNoSandbox) with the remedy unless the sandbox holds.
 void requireSandbox();
-/// "bwrap" (see requireSandbox) or "none": what `--sandbox` says for everything that is run from now
-/// on.
+/// "bwrap" (see requireSandbox) or "none": what `--sandbox` says for everything that is run from
+/// now on.
 void chooseSandbox(const std::string& word);
 
 /// The folder that --out names, without a slash at its end. Throws UsageError with the remedy,

@@ -116,8 +116,7 @@ public:
   report::Outcome outcome(const fs::path& patch, const Header& header) {
     const auto named = header.find("Outcome");
     if (named == header.end()) return report::Outcome::graded;
-    for (int i = 0; i <= int(report::Outcome::notGradable); ++i)
-      if (report::name(report::Outcome(i)) == named->second) return report::Outcome(i);
+    if (const auto known = report::parseOutcome(named->second)) return *known;
     fault(patch, "Outcome: \"{}\" is none", named->second);
     return report::Outcome::graded;
   }

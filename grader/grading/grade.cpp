@@ -298,7 +298,7 @@ report::Result ungraded(const Target& target, Outcome outcome, const std::string
   report::Result result;
   result.assignment = target.assignment.id;
   result.part = target.id;
-  result.title = target.parts.size() == 1 ? target.parts[0].title : target.assignment.title;
+  result.title = target.title();
   result.maxScore = target.maxScore();
   result.sandbox = isolation() == sandbox::Isolation::bwrap ? "bwrap" : "none";
   result.thresholds = {{"tolerance", kTolerance}, {"radius", kRadius}, {"window", kWindowSide}};

@@ -44,6 +44,12 @@ std::set<std::string> namesIn(const fs::path& folder) {
 
 } // namespace
 
+void refuseForeign(const fs::path& folder, const std::string& name) {
+  throw UsageError(fmt::format("{} holds {}, which is no earlier result of this tool: name another "
+                               "folder with --out, or move it away",
+                               folder.string(), name));
+}
+
 void requireReplaceable(const fs::path& folder) {
   std::error_code none;
   if (!fs::exists(folder, none)) return;
@@ -54,17 +60,14 @@ void requireReplaceable(const fs::path& folder) {
   std::ifstream in(folder / kContents);
   for (std::string name; std::getline(in, name);) ours.insert(name);
   for (const std::string& name : namesIn(folder))
-    if (!ours.count(name))
-      throw UsageError(fmt::format("{} holds {}, which is no earlier result of this tool: name "
-                                   "another folder with --out, or move it away",
-                                   folder.string(), name));
+    if (!ours.count(name)) refuseForeign(folder, name);
 }
 
 TemporaryFolder::TemporaryFolder(const fs::path& parent) {
   std::error_code error;
   const fs::path base = parent.empty() ? fs::temp_directory_path() : parent;
   fs::create_directories(base, error);
-  std::string name = (base / ".ggrade-XXXXXX").string();
+  std::string name = (base / (std::string(kTemporaryMark) + "XXXXXX")).string();
   if (!mkdtemp(name.data()))
     throw UsageError(fmt::format("can't write to {}: {}. Name another folder with --out, or give "
                                  "yourself write permission",

@@ -17,6 +17,12 @@ void catchInterrupts();
 /// Thrown where `interrupted` was seen; ends the tool with exit code 130.
 struct Interrupted {};
 
+/// How the names of temporary folders start.
+inline constexpr char kTemporaryMark[] = ".ggrade-";
+
+/// Throws UsageError: `folder` holds `name`, which is not this tool's. Says what to do.
+[[noreturn]] void refuseForeign(const std::filesystem::path& folder, const std::string& name);
+
 /// Throws UsageError with the remedy if `folder` exists and holds anything that this tool has not
 /// published there.
 void requireReplaceable(const std::filesystem::path& folder);

@@ -1,6 +1,15 @@
 #include "report/results.hpp"
 
 namespace ggrade::report {
+namespace {
+
+template <class Enum> std::optional<Enum> byName(std::string_view word, Enum last) {
+  for (int i = 0; i <= int(last); ++i)
+    if (name(Enum(i)) == word) return Enum(i);
+  return std::nullopt;
+}
+
+} // namespace
 
 std::string_view name(Outcome outcome) {
   switch (outcome) {
@@ -26,6 +35,26 @@ std::string_view name(Outcome outcome) {
     return "not_gradable";
   }
   return "not_gradable";
+}
+
+std::optional<Outcome> parseOutcome(std::string_view word) {
+  return byName(word, Outcome::notGradable);
+}
+
+std::string_view name(ItemKind kind) {
+  switch (kind) {
+  case ItemKind::keep:
+    return "keep";
+  case ItemKind::bonus:
+    return "bonus";
+  case ItemKind::gain:
+    break;
+  }
+  return "gain";
+}
+
+std::optional<ItemKind> parseItemKind(std::string_view word) {
+  return byName(word, ItemKind::bonus);
 }
 
 std::string_view explanation(Outcome outcome) {

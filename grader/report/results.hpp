@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,10 +30,17 @@ enum class Outcome {
 
 /// `graded`, `build_failed`, ... as in the contract.
 std::string_view name(Outcome outcome);
+/// The other way; nothing for any other word.
+std::optional<Outcome> parseOutcome(std::string_view word);
 /// One sentence for a person.
 std::string_view explanation(Outcome outcome);
 
 enum class ItemKind { gain, keep, bonus };
+
+/// `gain`, `keep` or `bonus`.
+std::string_view name(ItemKind kind);
+/// The other way; nothing for any other word.
+std::optional<ItemKind> parseItemKind(std::string_view word);
 
 /// For the grading process: where the passes that a failed item judges have left in one scene what
 /// later ones build on.

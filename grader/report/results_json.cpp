@@ -18,18 +18,6 @@ Json value(double number) {
   return std::isfinite(number) ? Json(number) : Json(nullptr);
 }
 
-std::string_view kindName(ItemKind kind) {
-  switch (kind) {
-  case ItemKind::keep:
-    return "keep";
-  case ItemKind::bonus:
-    return "bonus";
-  case ItemKind::gain:
-    break;
-  }
-  return "gain";
-}
-
 std::string title(const Item& item) {
   const std::string plain = sanitizeLine(item.title);
   if (item.kind == ItemKind::bonus) return "Bonus: " + plain;
@@ -52,21 +40,20 @@ std::string outputOf(const Item& item) {
 }
 
 Json testOf(const Item& item, std::size_t number) {
-  Json tags = {kindName(item.kind)};
+  Json tags = {name(item.kind)};
   if (item.beyondLecture) tags.push_back("beyond_lecture");
-  return {
-      {"score", value(item.earned)},
-      {"max_score", item.kind == ItemKind::keep ? Json(0) : value(item.points)},
-      {"status", standing(item) == Standing::full ? "passed" : "failed"},
-      {"name", title(item)},
-      {"name_format", "text"},
-      {"number", std::to_string(number)},
-      {"output", outputOf(item)},
-      {"output_format", "text"},
-      {"tags", tags},
-      {"visibility", "visible"},
-      {"extra_data",
-       {{"id", sanitizeLine(item.id)}, {"kind", kindName(item.kind)}, {"judged", item.judged}}}};
+  return {{"score", value(item.earned)},
+          {"max_score", item.kind == ItemKind::keep ? Json(0) : value(item.points)},
+          {"status", standing(item) == Standing::full ? "passed" : "failed"},
+          {"name", title(item)},
+          {"name_format", "text"},
+          {"number", std::to_string(number)},
+          {"output", outputOf(item)},
+          {"output_format", "text"},
+          {"tags", tags},
+          {"visibility", "visible"},
+          {"extra_data",
+           {{"id", sanitizeLine(item.id)}, {"kind", name(item.kind)}, {"judged", item.judged}}}};
 }
 
 std::string summary(const Result& view) {
@@ -125,7 +112,7 @@ Json extraData(const Result& result) {
     Json carried = Json::array();
     for (const std::string& output : item.carried) carried.push_back(sanitizeLine(output));
     data["items"].push_back({{"id", sanitizeLine(item.id)},
-                             {"kind", kindName(item.kind)},
+                             {"kind", name(item.kind)},
                              {"earned", value(item.earned)},
                              {"points", value(item.points)},
                              {"judged", item.judged},
