@@ -4,6 +4,7 @@
 #include "grading/grade.hpp"
 #include "grading/judge_server.hpp"
 #include "grading/overlay.hpp"
+#include "image/memory.hpp"
 #include "intake/unpack.hpp"
 #include "report/text.hpp"
 
@@ -47,12 +48,13 @@ public:
     report::Result result = gradeUpload(job.upload, unpacked.path() / "upload");
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     result.timings.push_back({"total", passed.count()});
-    publish(result, job, {options_.out, options_.reveal, grader_, options_.run});
-    return {{},
-            std::string(report::name(result.outcome)),
-            result.score + result.bonus,
-            result.maxScore,
-            passed.count()};
+    Answer answer{{},
+                  std::string(report::name(result.outcome)),
+                  result.score + result.bonus,
+                  result.maxScore,
+                  passed.count()};
+    publish(std::move(result), job, {options_.out, options_.reveal, grader_, options_.run});
+    return answer;
   }
 
 private:
@@ -99,6 +101,7 @@ void endWithParent() {
 
 void work(const Target& target, const fs::path& solutionFolder, const WorkerOptions& options) {
   endWithParent();
+  keepFreedMemory();
   Worker worker(target, solutionFolder, options);
   std::cout << "ready" << std::endl;
   for (std::string line; std::getline(std::cin, line);) {

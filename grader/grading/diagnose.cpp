@@ -121,14 +121,26 @@ Shown shown(const std::vector<std::filesystem::path>& folders) {
           [&](std::size_t scene) { return framesIn(folders[scene]); }};
 }
 
-std::vector<Diagnosis> diagnose(const Target& target, const std::filesystem::path& solutionFolder,
-                                const Submitted& submitted, const report::Result& result,
-                                const Progress& progress) {
+Diagnosing::Diagnosing(const Target& target, std::filesystem::path solutionFolder,
+                       const ScenePlan& plan, const References& references, Progress progress)
+    : target_(target), solutionFolder_(std::move(solutionFolder)), plan_(plan),
+      references_(references), progress_(std::move(progress)) {}
+
+Diagnoser& Diagnosing::diagnoserOf(const Part& part) {
+  const auto known = diagnosers_.find(part.id);
+  if (known != diagnosers_.end()) return known->second;
+  return diagnosers_
+      .try_emplace(part.id, target_, part, solutionFolder_, plan_, references_, progress_)
+      .first->second;
+}
+
+std::vector<Diagnosis> Diagnosing::operator()(const Submitted& submitted,
+                                              const report::Result& result) {
   const auto observed = diagnosis::outcomeDiagnosis(result, submitted.facts);
   if (!report::scored(result.outcome))
     return observed ? std::vector{*observed} : std::vector<Diagnosis>{};
   std::vector<Diagnosis> all;
-  for (const Part& part : target.parts) {
+  for (const Part& part : target_.parts) {
     const std::vector<std::string> lost = lostItems(result, part);
     if (lost.empty()) continue;
     if (observed && result.outcome == report::Outcome::graded) {
@@ -138,8 +150,7 @@ std::vector<Diagnosis> diagnose(const Target& target, const std::filesystem::pat
       all.back().step = stepOfWorst(result, part);
       continue;
     }
-    Diagnoser diagnoser(target, part, solutionFolder, submitted.plan, submitted.references,
-                        progress);
+    Diagnoser& diagnoser = diagnoserOf(part);
     const Answer answer = diagnoser.answer(lost, shown(submitted.folders));
     Diagnosis words = inWords(answer, submitted, part, diagnoser.catalogue(), result);
     if (answer.id.empty() && observed) {

@@ -112,6 +112,13 @@ std::vector<Faulty> Diagnoser::suspects(const std::vector<std::string>& lost,
   return all;
 }
 
+std::vector<diagnosis::Signature> Diagnoser::signaturesOf(const std::vector<Faulty>& programs,
+                                                          const std::vector<std::size_t>& scenes) {
+  const auto views = [this](std::size_t scene) -> const SceneViews& { return reference(scene); };
+  return renderSignatures(target_, solutionFolder_, programs, plan_, scenes, references_, views,
+                          progress_);
+}
+
 bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
                             const std::vector<std::string>& lost, Identified::By by,
                             const diagnosis::Thresholds& thresholds) {
@@ -125,8 +132,7 @@ bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
   const std::vector<std::size_t> scenes = scenesOf(lost, false);
   Run right;
   for (const std::size_t scene : scenes) right.push_back(reference(scene));
-  const auto signatures =
-      renderSignatures(target_, solutionFolder_, both, plan_, scenes, references_, progress_);
+  const auto signatures = signaturesOf(both, scenes);
   const Likeness like = likeness(signatures[0].run, signatures[1].run, right);
   return (by == Identified::By::firstPass ? like.first : like.all) >= thresholds.same;
 }
@@ -151,11 +157,8 @@ std::optional<Answer> Diagnoser::known(const std::vector<Faulty>& suspects,
       telling = i;
     }
   }
-  const auto render = [&](const std::vector<Faulty>& programs, const std::vector<std::size_t>& in) {
-    return renderSignatures(target_, solutionFolder_, programs, plan_, in, references_, progress_);
-  };
   std::vector<std::pair<double, std::size_t>> ranked;
-  const auto first = render(suspects, {scenes[telling]});
+  const auto first = signaturesOf(suspects, {scenes[telling]});
   for (std::size_t i = 0; i < first.size(); ++i)
     if (const double like = best(likeness({student[telling]}, first[i].run, {all[telling]}));
         like >= kFinalist)
@@ -168,7 +171,7 @@ std::optional<Answer> Diagnoser::known(const std::vector<Faulty>& suspects,
     finalists.push_back(suspects[i]);
   }
   if (finalists.empty()) return std::nullopt;
-  diagnosis::KnownFaults faults{all, render(finalists, scenes)};
+  diagnosis::KnownFaults faults{all, signaturesOf(finalists, scenes)};
   const auto found = faults.identify(student, thresholds);
   if (!found) return std::nullopt;
   Answer answer;

@@ -32,7 +32,8 @@ struct Answer {
 };
 
 /// What is known of one part's faults. Signatures are rendered when they are first needed: all that
-/// can have cost a lost item in one scene, the likely ones in the others.
+/// can have cost a lost item in one scene, the likely ones in the others. What the reference shows
+/// is kept for the next submission.
 class Diagnoser {
 public:
   /// Reads the catalogue. Everything that is passed must outlive this. Throws UsageError for a
@@ -60,6 +61,8 @@ private:
   const diagnosis::SceneViews& reference(std::size_t scene);
   std::vector<Faulty> steps() const;
   Faulty faulty(const Mistake& mistake) const;
+  std::vector<diagnosis::Signature> signaturesOf(const std::vector<Faulty>& programs,
+                                                 const std::vector<std::size_t>& scenes);
   std::vector<Faulty> suspects(const std::vector<std::string>& lost,
                                const std::set<std::string>& leftOut) const;
   std::optional<Answer> known(const std::vector<Faulty>& suspects,

@@ -52,6 +52,11 @@ report::Frame compareFrames(const Image& student, const Image& reference, double
   frame.wrongShare = comparison.wrongShare;
   frame.difference = differencePicture(student, reference);
   if (!comparison.compared()) return frame;
+  if (std::ranges::equal(student.values(), reference.values())) {
+    frame.flip = 0;
+    frame.flipPicture = heatPicture(Image(reference.width(), reference.height(), 1));
+    return frame;
+  }
   const Flip flip = ldrFlip(student, reference);
   frame.flip = flip.mean;
   frame.flipPicture = heatPicture(flip.map);
@@ -138,6 +143,12 @@ report::Scene describe(const rubric::SceneFolders& folders, const Rendering& ren
   return scene;
 }
 
+/// Byte for byte: whether a second run does the same is then no question.
+bool drawsTheReference(const Rendering& rendering, const rubric::SceneFolders& scene) {
+  return std::ranges::equal(rawFrames(rendering.capture), rubric::readFrames(scene.reference), {},
+                            &rubric::RawFrame::pixels, &rubric::RawFrame::pixels);
+}
+
 /// Items as declared, nothing earned: for submissions that never came to be judged.
 std::vector<report::Item> unearned(const Target& target, const std::string& why) {
   std::vector<report::Item> items;
@@ -193,7 +204,8 @@ Renderings renderScenes(const Target& target, const Built& built, const ScenePla
     }
     render(first++);
     shaders = {shaderFolder, {}};
-    twice = options.pictures && renderings[0].happened.ok();
+    twice = options.pictures && renderings[0].happened.ok() &&
+            !drawsTheReference(renderings[0], references.scenes[0]);
   }
   inParallel(renderings.size() - first + twice, options.threads, [&](std::size_t i) {
     if (first + i < renderings.size())
@@ -366,8 +378,9 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   nameOutcome(renderings.scenes, folders, result);
 
   progress("judging", steps - 1, steps);
-  // The pictures for the report are compared while the rubric judges.
-  std::future<std::vector<report::Scene>> scenes = std::async(std::launch::async, [&] {
+  // The pictures for the report are compared while the rubric judges, or after it.
+  const auto when = options.threads > 1 ? std::launch::async : std::launch::deferred;
+  std::future<std::vector<report::Scene>> scenes = std::async(when, [&] {
     std::vector<report::Scene> all;
     if (options.pictures)
       for (std::size_t i = 0; i < folders.size(); ++i)
@@ -393,9 +406,12 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
 
 Examining diagnosing(const Target& target, const fs::path& solutionFolder,
                      const Progress& progress) {
-  return [&target, solutionFolder, progress](const Submitted& submitted, report::Result& result) {
+  const auto kept = std::make_shared<std::optional<Diagnosing>>();
+  return [=, &target](const Submitted& submitted, report::Result& result) {
     try {
-      result.diagnoses = diagnose(target, solutionFolder, submitted, result, progress);
+      if (!*kept)
+        kept->emplace(target, solutionFolder, submitted.plan, submitted.references, progress);
+      result.diagnoses = (**kept)(submitted, result);
     } catch (const UsageError&) {
       // The catalogue is the instructor's; its faults cost nobody a grade.
       report::Diagnosis none;

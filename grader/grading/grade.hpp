@@ -31,7 +31,7 @@ struct GradeOptions {
   /// False for who wants scores only: the result has items but no scenes, and the public scene is
   /// not run a second time to see whether the program draws the same again.
   bool pictures = true;
-  unsigned threads = workers(); ///< scenes that are rendered at a time
+  unsigned threads = workers(); ///< scenes rendered at a time; 1: nothing goes on beside another
   bool diagnosis = true;        ///< `grade` looks for the likeliest cause of lost points
   Judging judging;              ///< empty: a judge's process for this grading alone
   Examining examining;          ///< looks closer at what `gradeBuilt` judged, if anything does
@@ -58,7 +58,8 @@ Built buildSubmission(const Target& target, const GradeOptions& options);
 report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const References& references,
                           const Built& built, const GradeOptions& options);
 
-/// Looks for the likeliest cause of lost points. `target` must outlive it.
+/// Looks for the likeliest cause of lost points of submissions that are all graded with one plan;
+/// that, its references and `target` must outlive it.
 Examining diagnosing(const Target& target, const std::filesystem::path& solutionFolder,
                      const Progress& progress);
 

@@ -86,13 +86,11 @@ std::vector<diagnosis::Signature>
 renderSignatures(const Target& target, const fs::path& solutionFolder,
                  const std::vector<Faulty>& programs, const ScenePlan& plan,
                  const std::vector<std::size_t>& scenes, const References& references,
-                 const Progress& progress) {
+                 const ReferenceViews& reference, const Progress& progress) {
   const Assignment& assignment = target.assignment;
   const std::string solution = referenceKey(target, solutionFolder);
   const trace::Request request = gradingRequest();
-  std::vector<diagnosis::SceneViews> reference;
-  for (const std::size_t scene : scenes)
-    reference.push_back(viewsIn(references.scenes[scene].reference));
+  for (const std::size_t scene : scenes) reference(scene); // no thread below is the first to ask
   const auto fileOf = [&](const Faulty& faulty, std::size_t scene) {
     std::string key = fmt::format("{} {} {} {}", kLayout, diagnosis::kSide, solution,
                                   faulty.filled ? "filled" : "");
@@ -139,7 +137,7 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
           seen = diagnosis::views(imagesOf(rawFrames(rendering.capture)), rendering.capture.trace);
         }
         const fs::path written = work.path() / "views";
-        diagnosis::save(seen, &reference[i], written);
+        diagnosis::save(seen, &reference(scenes[i]), written);
         fs::rename(written, file);
       }
       progress("preparing the diagnosis", ++done, missing.size());
@@ -149,8 +147,8 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
   std::vector<diagnosis::Signature> signatures;
   for (const Faulty& faulty : programs) {
     diagnosis::Signature signature{faulty.name, faulty.group, {}, faulty.filled.has_value()};
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-      signature.run.push_back(diagnosis::load(fileOf(faulty, scenes[i]), &reference[i]));
+    for (const std::size_t scene : scenes)
+      signature.run.push_back(diagnosis::load(fileOf(faulty, scene), &reference(scene)));
     signatures.push_back(std::move(signature));
   }
   return signatures;

@@ -5,6 +5,7 @@
 #include "diagnosis/match.hpp"
 #include "grading/references.hpp"
 
+#include <functional>
 #include <set>
 
 namespace ggrade::grading {
@@ -19,6 +20,9 @@ struct Faulty {
   std::optional<std::set<std::string>> filled;
 };
 
+/// What the reference shows in a scene of the plan.
+using ReferenceViews = std::function<const diagnosis::SceneViews&(std::size_t scene)>;
+
 /// What each of `programs` shows in the scenes with these numbers of the plan, rendered in the
 /// sandbox unless it lies in the cache; an empty SceneViews where it shows nothing there. A program
 /// that can't be made any more (its patch doesn't apply) shows nothing at all: `ggrade calibrate`
@@ -27,7 +31,7 @@ std::vector<diagnosis::Signature>
 renderSignatures(const Target& target, const std::filesystem::path& solutionFolder,
                  const std::vector<Faulty>& programs, const ScenePlan& plan,
                  const std::vector<std::size_t>& scenes, const References& references,
-                 const Progress& progress);
+                 const ReferenceViews& reference, const Progress& progress);
 
 /// The frames in a folder (see rubric::writeFrames), RGB.
 std::vector<Image> framesIn(const std::filesystem::path& folder);

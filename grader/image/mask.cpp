@@ -21,18 +21,28 @@ template <class Combine> Mask combined(const Mask& a, const Mask& b, Combine com
   return result;
 }
 
-// Grows along one line of `length` pixels; `get` and `set` take a position on it. The cost does not
-// depend on the radius: only the distance to the last pixel inside is carried along.
-template <class Get, class Set> void dilateLine(int length, int radius, Get get, Set set) {
-  int sinceInside = radius + 1;
-  for (int i = 0; i < length; ++i) {
-    sinceInside = get(i) ? 0 : sinceInside + 1;
-    if (sinceInside <= radius) set(i);
+// Grows a row one way, from its first pixel to its last or back. The cost does not depend on the
+// radius: only the distance to the last pixel inside is carried along.
+template <class In, class Out> void dilateRow(In in, In end, Out out, int radius) {
+  for (int sinceInside = radius + 1; in != end; ++in, ++out) {
+    sinceInside = *in ? 0 : sinceInside + 1;
+    *out |= std::uint8_t(sinceInside <= radius);
   }
-  sinceInside = radius + 1;
-  for (int i = length - 1; i >= 0; --i) {
-    sinceInside = get(i) ? 0 : sinceInside + 1;
-    if (sinceInside <= radius) set(i);
+}
+
+// The same down or up, for all columns at a time: rows lie in memory, columns don't.
+void dilateColumns(const Mask& from, Mask& into, int radius, bool down) {
+  const int height = from.height();
+  std::vector<int> sinceInside(from.row(0).size(), radius + 1);
+  for (int i = 0; i < height; ++i) {
+    const int y = down ? i : height - 1 - i;
+    const std::uint8_t* in = from.row(y).data();
+    std::uint8_t* out = into.row(y).data();
+    int* since = sinceInside.data();
+    for (std::size_t x = 0; x < sinceInside.size(); ++x) {
+      since[x] = in[x] ? 0 : since[x] + 1;
+      out[x] |= std::uint8_t(since[x] <= radius);
+    }
   }
 }
 
@@ -64,14 +74,14 @@ Mask operator~(const Mask& mask) {
 Mask dilate(const Mask& mask, int radius) {
   if (radius < 0) throw std::invalid_argument("dilate: the radius is negative");
   Mask wide = mask;
-  for (int y = 0; y < mask.height(); ++y)
-    dilateLine(
-        mask.width(), radius, [&](int x) { return mask.at(x, y); }, [&](int x) { wide.set(x, y); });
+  for (int y = 0; y < mask.height(); ++y) {
+    const auto in = mask.row(y);
+    const auto out = wide.row(y);
+    dilateRow(in.begin(), in.end(), out.begin(), radius);
+    dilateRow(in.rbegin(), in.rend(), out.rbegin(), radius);
+  }
   Mask result = wide;
-  for (int x = 0; x < mask.width(); ++x)
-    dilateLine(
-        mask.height(), radius, [&](int y) { return wide.at(x, y); },
-        [&](int y) { result.set(x, y); });
+  for (const bool down : {true, false}) dilateColumns(wide, result, radius, down);
   return result;
 }
 

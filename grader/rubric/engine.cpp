@@ -1,13 +1,13 @@
 #include "rubric/rubric.hpp"
 
+#include "image/memory.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
 #include <map>
-
-#include <malloc.h>
 
 namespace ggrade::rubric {
 
@@ -188,9 +188,7 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
 
 int runJudge(const std::filesystem::path& evidenceFile, const std::filesystem::path& resultsFile,
              const std::vector<std::string>& arguments) {
-  // Pictures of a few megabytes come and go all the time: keep their pages (a third of the time).
-  mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  keepFreedMemory();
   const Evidence evidence = readEvidence(evidenceFile);
   const Target target = findTarget(evidence.assignmentFolder.parent_path(), evidence.target);
 

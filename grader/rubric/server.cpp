@@ -1,5 +1,7 @@
 #include "rubric/rubric.hpp"
 
+#include "image/memory.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <fstream>
 #include <iostream>
 
-#include <malloc.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -83,8 +84,7 @@ std::string waitFor(pid_t pid) {
 } // namespace
 
 int serveJudge(const fs::path& evidenceFile) {
-  mallopt(M_MMAP_THRESHOLD, 1 << 30);
-  mallopt(M_TRIM_THRESHOLD, 1 << 30);
+  keepFreedMemory();
   Common common;
   common.evidence = readEvidence(evidenceFile);
   common.items =
