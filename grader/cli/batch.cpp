@@ -155,7 +155,7 @@ void addWorker(CLI::App& app) {
   command->add_option("ID", options->id)->required();
   command->add_option("--out", options->out)->required();
   command->add_option("--run", options->how.run);
-  auto* seed = command->add_option("--seed", options->seed);
+  auto* seed = command->add_option("--seed", options->seed)->check(notAWholeNumber);
   command->add_option("--reveal", options->reveal);
   command->add_option("--sandbox", options->sandbox);
   command->add_flag("--no-diagnosis", options->noDiagnosis);

@@ -1,5 +1,6 @@
 #include "cli/batch_options.hpp"
 
+#include "cli/commands.hpp"
 #include "report/text.hpp"
 
 #include <fmt/format.h>
@@ -70,7 +71,8 @@ void declare(CLI::App& app, BatchCommand& command) {
   app.add_option("--only", command.how.only, "Only these students (name, ID or result folder)");
   app.add_option("--shard", command.shard, "i/n: every n-th upload, for n machines; see merge");
   app.add_option("--seed", command.seed,
-                 "Draws other hidden scenes (default: the assignment's); one for the whole class");
+                 "Draws other hidden scenes (default: the assignment's); one for the whole class")
+      ->check(notAWholeNumber);
   app.add_option("--reveal", command.reveal, "What the students' pages say of hidden scenes")
       ->check(CLI::IsMember({"none", "names", "details"}))
       ->capture_default_str();

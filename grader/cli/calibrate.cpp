@@ -114,7 +114,7 @@ calibration::DiagnosisFigures diagnoseAll(const Options& options, const Target& 
                                           const grading::Catalogue& catalogue) {
   Progress progress("calibrating " + target.id);
   calibration::DiagnosisOptions how;
-  how.seeds = {107, 108};
+  how.seeds = {109, 110};
   if (options.haveFirstSeed) {
     how.seeds.clear();
     for (unsigned i = 0; i < options.seeds; ++i) how.seeds.push_back(options.firstSeed + i);
@@ -207,9 +207,10 @@ void addCalibrate(CLI::App& app) {
   command->add_option("--seeds", options->seeds, "Each program is graded with so many seeds")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  auto* first =
-      command->add_option("--first-seed", options->firstSeed,
-                          "Seeds from here on (default: the assignment's, then 1, 2, ...)");
+  auto* first = command
+                    ->add_option("--first-seed", options->firstSeed,
+                                 "Seeds from here on (default: the assignment's, then 1, 2, ...)")
+                    ->check(notAWholeNumber);
   command->add_option("--only", options->only,
                       "Names or kinds: reference, variant, mistake, pair, pictures, stub");
   command->add_option("--out", options->out, "Where the results go (default out/calibrate/ID)");

@@ -81,10 +81,7 @@ void addGrade(CLI::App& app) {
   auto* seed = command
                    ->add_option("--seed", options->seed,
                                 "Draws other hidden scenes (default: the assignment's)")
-                   ->check([](const std::string& text) {
-                     const bool digits = text.find_first_not_of("0123456789") == text.npos;
-                     return digits ? std::string() : text + " is not a whole number from 0";
-                   });
+                   ->check(notAWholeNumber);
   command->add_option("--reveal", options->reveal, "What the student's page says of hidden scenes")
       ->check(CLI::IsMember({"none", "names", "details"}))
       ->capture_default_str();

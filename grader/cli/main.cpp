@@ -96,6 +96,11 @@ void requireSandbox() {
         "\nSubmissions are not run without one, unless you trust them all and say --sandbox none.");
 }
 
+std::string notAWholeNumber(const std::string& text) {
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
+  return digits ? std::string() : text + " is not a whole number from 0";
+}
+
 void chooseSandbox(const std::string& word) {
   if (word != "none") return requireSandbox();
   grading::isolation() = sandbox::Isolation::none;

@@ -249,6 +249,13 @@ bool passIsLost(const std::optional<FirstWrong>& first) {
          (first->slot->mesh || first->share > kAnotherWay);
 }
 
+/// Is the pass that is wrong in a signature right in the submission? Then the fault isn't there,
+/// however alike the windows are.
+bool passIsRight(const Run& student, const FirstWrong& theirs, const Run& reference) {
+  const Image* const ours = pictureAt(student[theirs.scene], *theirs.slot);
+  return ours && mean(distance(pictureAt(reference[theirs.scene], *theirs.slot), ours)) < kWrong;
+}
+
 bool windowsShowNothing(const Run& student) {
   return std::ranges::all_of(student, [](const SceneViews& scene) {
     return std::ranges::all_of(scene.windows, isOneColour);
@@ -307,8 +314,9 @@ std::optional<Identified> KnownFaults::identify(const Run& student, const Thresh
                        : by(&Likeness::windows, Identified::By::windows, thresholds.like)) {
     const auto theirs = firstWrong(signatures[found->signature].run, reference);
     const bool onlyInWindow = !theirs || !theirs->slot;
-    if (likes[found->signature].first >= 0.5 ||
-        (!passIsLost(ours) && (onlyInWindow || found->likeness >= thresholds.same)))
+    const bool elsewhere = !onlyInWindow && !passIsRight(student, *theirs, reference) &&
+                           found->likeness >= thresholds.same;
+    if (likes[found->signature].first >= 0.5 || (!passIsLost(ours) && (onlyInWindow || elsewhere)))
       return found;
   }
   if (passShowsNothing(student, ours)) return std::nullopt;

@@ -60,7 +60,7 @@ struct Thresholds {
   double firstLike = 0.95; ///< least likeness of the first wrong pass where only that is alike
   double margin = 0.4; ///< what is unlike, at most this share of what is unlike in the next best
   double same = 0.97;  ///< signatures that are as alike as this can't be told apart
-  double confidence = 0.845; ///< less is unknown: faults that nobody has listed reach 0.84
+  double confidence = 0.9; ///< less is unknown: faults that nobody has listed reach 0.87
 };
 
 /// What a submission was found to be like.
@@ -79,8 +79,9 @@ struct KnownFaults {
   std::vector<Signature> signatures;
 
   /// The signature that shows what the submission shows: in everything; else in the window, if that
-  /// fault is not in a pass or the windows are the same (passes may hold something else where a
-  /// program is made in another way); else in the first wrong pass (something else is wrong later).
+  /// fault is not in a pass or the windows are the same and that pass is not the reference's (it
+  /// may hold something else where a program is made in another way); else in the first wrong pass
+  /// (something else is wrong later).
   /// Nothing where none is like it, two different ones are almost equally like it, or what is
   /// alike holds one value all over, as many faults leave it. Signatures with `leftOut` set are not
   /// considered.

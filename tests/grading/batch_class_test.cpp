@@ -280,6 +280,7 @@ TEST(Batch, BadInputIsNamedBeforeAnythingIsGraded) {
   EXPECT_THAT(error({"--overrides", students.file("o.csv", "student,points\n")}),
               HasSubstr("o.csv"));
   EXPECT_THAT(error({"--reveal", "all"}), HasSubstr("--reveal"));
+  EXPECT_THAT(error({"--seed", "-1"}), HasSubstr("--seed: -1 is not a whole number from 0"));
   EXPECT_THAT(tool::runTool({"batch", "mirror", "/nowhere", "--out", students.out()}).errors,
               HasSubstr("/nowhere: there is no such folder or archive"));
   std::ofstream(students.file("notes", "x"));
