@@ -110,6 +110,8 @@ Books::Books(BookOptions options, const fs::path& out) : options_(std::move(opti
     worksheets_.push_back({kind, file, readFile(file)});
     // Tried without a student: a column that is missing shows before the grading.
     if (kind == "moodle") gradebook::fillMoodle(worksheets_.back().bytes, file, {}, columns_);
+    if (kind == "canvas" && !options_.canvasColumn.empty())
+      gradebook::fillCanvas(worksheets_.back().bytes, file, {}, options_.canvasColumn);
   }
 }
 
@@ -178,6 +180,7 @@ std::vector<ClassRow> Books::write(const fs::path& out, PageNotes& notes) const 
   page.changes = notes.changes;
   page.remarks = notes.remarks;
   page.facts = factsOf(records);
+  page.facts.insert(page.facts.end(), notes.facts.begin(), notes.facts.end());
   if (rule_) page.facts.emplace_back("lateness", lateRule);
   for (Record& record : records) page.rows.push_back(std::move(record.row));
   report::writeFile(out / "index.html", report::classPage(page));

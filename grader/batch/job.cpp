@@ -67,13 +67,9 @@ json toJson(const Job& job) {
     const std::string path = source.path.string();
     sources.push_back({std::vector<std::uint8_t>(path.begin(), path.end()), source.name});
   }
-  return {{"student", job.upload.student},
-          {"name", job.upload.name},
-          {"folder", job.upload.folder},
-          {"sources", sources},
-          {"remarks", job.upload.remarks},
-          {"late", job.upload.late},
-          {"key", job.key}};
+  return {{"student", job.upload.student}, {"name", job.upload.name},
+          {"folder", job.upload.folder},   {"sources", sources},
+          {"remarks", job.upload.remarks}, {"key", job.key}};
 }
 
 Job jobFrom(const json& line) {
@@ -87,7 +83,6 @@ Job jobFrom(const json& line) {
         {fs::path(std::string(path.begin(), path.end())), source.at(1).get<std::string>()});
   }
   line.at("remarks").get_to(job.upload.remarks);
-  line.at("late").get_to(job.upload.late);
   line.at("key").get_to(job.key);
   return job;
 }

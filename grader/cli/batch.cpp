@@ -11,6 +11,7 @@
 #include "report/text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iostream>
 
@@ -69,10 +70,12 @@ void runBatch(const BatchCommand& command) {
           .lexically_normal();
   if (!how.out.has_filename()) how.out = how.out.parent_path();
   how.reveal = *report::parseReveal(command.reveal);
-  chooseSandbox(command.sandbox);
+  const std::vector<std::string> refused = chooseSandbox(command.sandbox);
   if (!fs::exists(how.uploads))
     throw UsageError(fmt::format("{}: there is no such folder or archive", how.uploads.string()));
-  const batch::Books books(command.books, how.out);
+  batch::BookOptions given = command.books;
+  if (given.canvasColumn.empty()) given.canvasColumn = target.title();
+  const batch::Books books(given, how.out);
 
   ClassProgress progress(command.id);
   const batch::Outcome outcome =
@@ -81,6 +84,9 @@ void runBatch(const BatchCommand& command) {
   progress.clear();
   batch::PageNotes notes;
   notes.title = target.title();
+  if (!refused.empty())
+    notes.facts.emplace_back("self-test of the sandbox",
+                             fmt::format("refused: {}", fmt::join(refused, ", ")));
   notes.changes = outcome.changes;
   notes.remarks = outcome.remarks;
   if (how.shard.of > 1)

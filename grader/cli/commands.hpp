@@ -23,11 +23,12 @@ extern std::vector<std::string> afterDashes;
 std::filesystem::path assignmentsFolder();
 std::filesystem::path
 solutionFolder(const std::string& assignment); ///< throws UsageError if there is none
-/// Ends the command (kNoSandbox) with the remedy unless the sandbox holds.
-void requireSandbox();
+/// Ends the command (kNoSandbox) with the remedy unless the sandbox holds. Returns which escapes
+/// were tried in vain.
+std::vector<std::string> requireSandbox();
 /// "bwrap" (see requireSandbox) or "none": what `--sandbox` says for everything that is run from
 /// now on.
-void chooseSandbox(const std::string& word);
+std::vector<std::string> chooseSandbox(const std::string& word);
 
 /// What is wrong with the text of a seed, for CLI11, which would take -1; empty: nothing.
 std::string notAWholeNumber(const std::string& text);

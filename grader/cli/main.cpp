@@ -89,11 +89,13 @@ fs::path solutionFolder(const std::string& assignment) {
   return folder;
 }
 
-void requireSandbox() {
-  if (const auto reason = sandbox::unavailable())
+std::vector<std::string> requireSandbox() {
+  sandbox::SelfTest test = sandbox::selfTest();
+  if (test.problem)
     throw NoSandbox(
-        "no sandbox: " + *reason +
+        "no sandbox: " + *test.problem +
         "\nSubmissions are not run without one, unless you trust them all and say --sandbox none.");
+  return std::move(test.refused);
 }
 
 std::string notAWholeNumber(const std::string& text) {
@@ -101,11 +103,12 @@ std::string notAWholeNumber(const std::string& text) {
   return digits ? std::string() : text + " is not a whole number from 0";
 }
 
-void chooseSandbox(const std::string& word) {
+std::vector<std::string> chooseSandbox(const std::string& word) {
   if (word != "none") return requireSandbox();
   grading::isolation() = sandbox::Isolation::none;
   fmt::print(stderr, "ggrade: no sandbox: every submission runs as you, with your files and your "
                      "network\n");
+  return {};
 }
 
 fs::path outputFolder(const std::string& named) {

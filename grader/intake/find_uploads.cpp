@@ -218,7 +218,7 @@ std::vector<Upload> canvasUploads(const std::vector<Found>& entries,
   std::vector<Upload> uploads;
   for (const auto& [user, student] : students) {
     uploads.push_back(startUpload(user, student.name, folderName(student.name, user)));
-    uploads.back().late = student.late;
+    if (student.late) uploads.back().remarks.push_back("Canvas marks it as late");
     uploads.back().sources = latestVersions(student.files, wanted, uploads.back().remarks);
   }
   return uploads;

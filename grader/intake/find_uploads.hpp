@@ -30,7 +30,6 @@ struct Upload {
   std::string folder;  ///< for results, see folderName; unique, also when case is ignored
   std::vector<Source> sources;
   std::vector<std::string> remarks; ///< "2 attempts: ... counts"
-  bool late = false;                ///< as Canvas says
 };
 
 struct Intake {

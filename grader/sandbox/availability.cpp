@@ -4,6 +4,7 @@
 #include "helper_plan.hpp"
 
 #include <fstream>
+#include <sstream>
 #include <unistd.h>
 
 namespace ggrade::sandbox {
@@ -38,17 +39,27 @@ std::string diagnose(const std::string& detail) {
 
 } // namespace
 
-std::optional<std::string> unavailable() {
+SelfTest selfTest() {
+  const auto fails = [](std::string why) { return SelfTest{std::move(why), {}}; };
   if (access(kBwrap, X_OK) != 0)
-    return std::string(kBwrap) + " is missing. Remedy: apt-get install bubblewrap";
+    return fails(std::string(kBwrap) + " is missing. Remedy: apt-get install bubblewrap");
   Command command;
   command.arguments = {kHelperInside, "probe"};
   command.limits.wallSeconds = 10;
   const Result result = run(command, Isolation::bwrap);
-  if (result.end == End::exited && result.exitCode == 0) return std::nullopt;
-  if (result.end == End::setupFailed) return diagnose(result.detail);
-  if (result.end != End::exited) return "the sandbox's self-test failed: " + result.detail;
-  return "the sandbox leaks: it allowed " + result.standardOutput.substr(0, 200);
+  if (result.end == End::setupFailed) return fails(diagnose(result.detail));
+  if (result.end != End::exited) return fails("the sandbox's self-test failed: " + result.detail);
+  SelfTest test;
+  std::string allowed;
+  std::istringstream lines(result.standardOutput);
+  for (std::string verdict, what; lines >> verdict >> std::ws && std::getline(lines, what);) {
+    if (verdict == "refused")
+      test.refused.push_back(what);
+    else
+      allowed += (allowed.empty() ? "" : ", ") + what;
+  }
+  if (result.exitCode != 0) return fails("the sandbox leaks: it allowed " + allowed);
+  return test;
 }
 
 } // namespace ggrade::sandbox

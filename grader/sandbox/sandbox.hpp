@@ -104,8 +104,15 @@ struct Result {
 /// the whole tree is killed within 0.1 s and the result says `interrupted`.
 Result run(const Command& command, Isolation isolation, const std::atomic<bool>* cancel = nullptr);
 
-/// Tries the sandbox once, and a few escapes from it (6 ms). Empty when it holds; otherwise one
-/// sentence with the remedy (for example: AppArmor on Ubuntu 24.04 stops bwrap).
-std::optional<std::string> unavailable();
+/// What the sandbox was seen to do.
+struct SelfTest {
+  /// Nothing when it holds; otherwise one sentence with the remedy (for example: AppArmor on Ubuntu
+  /// 24.04 stops bwrap).
+  std::optional<std::string> problem;
+  std::vector<std::string> refused; ///< escapes that were tried in vain, a few words each
+};
+
+/// Tries the sandbox once, and escapes from it (6 ms).
+SelfTest selfTest();
 
 } // namespace ggrade::sandbox

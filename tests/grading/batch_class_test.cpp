@@ -277,6 +277,10 @@ TEST(Batch, BadInputIsNamedBeforeAnythingIsGraded) {
               HasSubstr("--gradebook excel=x.csv: write moodle=FILE or canvas=FILE"));
   EXPECT_THAT(error({"--late", "10% per day"}),
               HasSubstr("lateness needs all of --submitted FILE, --due TIME and --late RULE"));
+  const fs::path canvas =
+      students.file("canvas.csv", "Student,ID,Other (1)\n    Points Possible,,10\n");
+  EXPECT_THAT(error({"--gradebook", "canvas=" + canvas.string()}),
+              HasSubstr("no columns are called \"Mirror reflection"));
   EXPECT_THAT(error({"--overrides", students.file("o.csv", "student,points\n")}),
               HasSubstr("o.csv"));
   EXPECT_THAT(error({"--reveal", "all"}), HasSubstr("--reveal"));

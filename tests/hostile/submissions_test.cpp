@@ -320,6 +320,51 @@ TEST_P(HostileSubmission, Fails) {
     EXPECT_TRUE(anyLine(seen, tried)) << "not tried: " << tried;
 }
 
+/// What a student gets, without times.
+std::map<std::string, std::string> handedBack(const fs::path& folder) {
+  json results = json::parse(read(folder / "results.json"));
+  results.erase("execution_time");
+  results.at("extra_data").erase("timings");
+  for (json& scene : results.at("extra_data").at("scenes")) scene.erase("seconds");
+  const std::regex times(" time=\"[0-9.]*\"");
+  return {{"results.json", results.dump()},
+          {"student.html", read(folder / "student.html")},
+          {"junit.xml", std::regex_replace(read(folder / "junit.xml"), times, "")}};
+}
+
+TEST(HostileNeighbours, ChangeNobodysResult) {
+  const std::string secret = canary();
+  const Surroundings around(secret);
+  TemporaryFolder folder;
+  const fs::path alone = folder.path() / "alone", together = folder.path() / "together";
+  tool::Submission dark = tool::Submission::solution();
+  dark.replace("tile.frag", "* reflected", "* reflected * 0.3");
+  const std::map<std::string, fs::path> honest = {{"dark", dark.path()},
+                                                  {"right", kSource / "solutions/floor"},
+                                                  {"stub", kSource / "assignments/floor"}};
+  fs::create_directories(alone);
+  for (const auto& [name, source] : honest)
+    fs::copy(source, alone / name, fs::copy_options::recursive);
+  fs::copy(alone, together, fs::copy_options::recursive);
+  for (const char* name :
+       {"cache_of_rubbish", "channel_noise", "compile_macro", "files_in_memory", "forged_results",
+        "fork_bomb", "judge_kept_busy", "kill_everyone", "memory", "write_everywhere", "zombies"}) {
+    const json attack = json::parse(read(kAttacks / name / "attack.json"));
+    ASSERT_TRUE(handIn(name, attack, together / name, around)) << name;
+  }
+  for (const fs::path& uploads : {alone, together}) {
+    const Ended ended = runTool({"batch", "mirror", uploads, "--jobs", "2", "--no-diagnosis",
+                                 "--out", uploads.string() + "-out"},
+                                {{"GGRADE_CANARY", secret}}, 280);
+    ASSERT_EQ(ended.exitCode, 0) << ended.out << ended.errors;
+  }
+  for (const auto& [name, source] : honest)
+    for (const auto& [file, text] : handedBack(alone.string() + "-out/" + name))
+      EXPECT_TRUE(handedBack(together.string() + "-out/" + name).at(file) == text)
+          << name << '/' << file << " differs";
+  EXPECT_EQ(json::parse(read(together.string() + "-out/right/results.json")).at("score"), 110);
+}
+
 INSTANTIATE_TEST_SUITE_P(Attacks, HostileSubmission, testing::ValuesIn(attacks()),
                          [](const auto& info) { return info.param; });
 

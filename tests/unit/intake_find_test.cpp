@@ -11,9 +11,11 @@ namespace ggrade::intake {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class FindUploads : public testing::Test {
 protected:
@@ -183,8 +185,8 @@ TEST_F(FindCanvas, GathersAStudentsFiles) {
   EXPECT_EQ(intake.layout, Layout::canvas);
   ASSERT_THAT(folders(intake), ElementsAre("yamadahanako_5012", "学生二_5013"));
   EXPECT_EQ(intake.uploads[0].student, "5012");
-  EXPECT_FALSE(intake.uploads[0].late);
-  EXPECT_TRUE(intake.uploads[1].late);
+  EXPECT_THAT(intake.uploads[0].remarks, Not(Contains("Canvas marks it as late")));
+  EXPECT_THAT(intake.uploads[1].remarks, Contains("Canvas marks it as late"));
   ASSERT_EQ(intake.uploads[0].sources.size(), 2u);
   EXPECT_EQ(intake.uploads[0].sources[1].name, "mirror.vert");
   EXPECT_THAT(intake.remarks, ElementsAre("notes.txt: not a name of Canvas'"));

@@ -25,8 +25,8 @@ std::string copyTree(const std::string& source, const std::string& destination);
 /// Hands the files of `plan.collect` back to the supervisor and reports the outcome.
 void collect(const HelperPlan& plan);
 
-/// Tries, from inside, what the sandbox must refuse. Exit code 0 when all is refused; otherwise
-/// standard output names what was not.
+/// Tries, from inside, what the sandbox must refuse, and prints a line for each: "refused WHAT" or
+/// "allowed WHAT". Exit code 0 when all is refused.
 int probe();
 
 } // namespace ggrade::sandbox::helper
