@@ -232,7 +232,6 @@ trace::Request gradingRequest() {
   trace::Request request{};
   request.passes = 1;
   request.copies = ((1U << trace::kColors) - 1) | 1U << trace::kDepth;
-  request.windowCopies = 1;
   request.copyFrames = 1;
   // What doesn't fit is left out and counted. Ten times what the largest reference needs, and yet
   // too little for a hostile program to fill a disk with.

@@ -51,7 +51,7 @@ struct ShaderCache {
 };
 
 /// What is recorded of the passes of programs that are graded, and of those that they are compared
-/// with: everything, and what the first frame's passes left in textures and in the window.
+/// with: everything, and what the first frame's passes left in textures.
 trace::Request gradingRequest();
 
 /// Runs `folder`/`id` in `scene` for the given times. What `trace` asks for of the passes stands in

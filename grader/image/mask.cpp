@@ -46,6 +46,13 @@ void dilateColumns(const Mask& from, Mask& into, int radius, bool down) {
   }
 }
 
+// For every pixel of `channels` flags: does one of the first `looked` hold?
+template <int channels, int looked>
+void anyOf(const std::uint8_t* flags, std::span<std::uint8_t> out) {
+  for (std::size_t x = 0; x < out.size(); ++x, flags += channels)
+    for (int c = 0; c < looked; ++c) out[x] |= flags[c];
+}
+
 } // namespace
 
 Mask::Mask(int width, int height, bool value) {
@@ -107,9 +114,14 @@ Mask differenceMask(const Image& a, const Image& b, float threshold, int channel
       differs[i] = (p[i] != q[i]) & !bothNaN & !(std::abs(p[i] - q[i]) <= threshold);
     }
     const auto flags = mask.row(y);
-    const std::uint8_t* of = differs.data();
-    for (std::size_t x = 0; x < flags.size(); ++x, of += a.channels())
-      for (int c = 0; c < looked; ++c) flags[x] |= of[c];
+    if (a.channels() == 3 && looked == 3)
+      anyOf<3, 3>(differs.data(), flags);
+    else if (a.channels() == 4 && looked == 3)
+      anyOf<4, 3>(differs.data(), flags);
+    else
+      for (std::size_t x = 0; x < flags.size(); ++x)
+        for (int c = 0; c < looked; ++c)
+          flags[x] |= differs[x * std::size_t(a.channels()) + std::size_t(c)];
   }
   return mask;
 }

@@ -36,6 +36,7 @@ struct Regions {
   Mask clipped;    // where clipping at the floor makes a difference
   Image sky;       // the floor that reflects the background but no object
   Mask covered;    // the floor's pixels where the reference shows a reflected object
+  Mask away;       // neither reflection nor clipping changes anything here
 };
 
 /// Pixels beside which another object is seen: edges between two flat colours, neither of them
@@ -102,6 +103,7 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
     const Image& plain = scene.probes.at("plain").at(frame);
     regions.sky = withSky(scene, plain);
     regions.covered = reflectedObjects(regions, plain, scene.reference.at(frame));
+    regions.away = ~dilate(regions.reflection | regions.clipped, 2);
   }
   return regions;
 }
@@ -245,6 +247,14 @@ Mask rightHue(const View& view, std::size_t frame, const Image& image) {
   return right;
 }
 
+/// Highlights are white in the reference, too: what it reaches is what can be had.
+const Mask& reachable(const View& view, std::size_t frame) {
+  static std::map<std::pair<const SceneEvidence*, std::size_t>, Mask> known;
+  const auto [entry, fresh] = known.try_emplace({&view.scene, frame});
+  if (fresh) entry->second = rightHue(view, frame, view.scene.reference.at(frame));
+  return entry->second;
+}
+
 /// The flat colours of a probe, one an object.
 std::set<Colour> palette(const Image& probe, const Mask& region) {
   std::set<Colour> colours;
@@ -280,10 +290,9 @@ Mask wrongObject(const View& view, std::size_t frame, const Mask& region) {
 
 GGRADE_ITEM("mirror.position", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
-    // Highlights are white in the reference, too: what it reaches is what can be had.
-    const Mask reachable = rightHue(view, i, view.scene.reference.at(i));
-    const std::size_t right = (rightHue(view, i, view.frames.at(i)) & reachable).count();
-    const double share = double(right) / double(std::max<std::size_t>(reachable.count(), 1));
+    const Mask& wanted = reachable(view, i);
+    const std::size_t right = (rightHue(view, i, view.frames.at(i)) & wanted).count();
+    const double share = double(right) / double(std::max<std::size_t>(wanted.count(), 1));
     return {
         std::clamp((share - 0.5) / 0.45, 0.0, 1.0),
         fmt::format("{:.0f}% of the reflection shows the colour of the object that belongs there",
@@ -293,10 +302,9 @@ GGRADE_ITEM("mirror.position", [](const View& view) {
 
 GGRADE_ITEM("mirror.hidden", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
-    const Mask reachable =
-        rightHue(view, i, view.scene.reference.at(i)) & regionsOf(view.scene, i).meeting;
-    if (tooSmall(reachable)) return {1, "nothing to see in this frame"};
-    const Mask wrong = wrongObject(view, i, reachable);
+    const Mask region = reachable(view, i) & regionsOf(view.scene, i).meeting;
+    if (tooSmall(region)) return {1, "nothing to see in this frame"};
+    const Mask wrong = wrongObject(view, i, region);
     // The densest window: a hidden object may be small in a large picture.
     const Window densest = densestWindow(wrong);
     // Nothing is hidden rightly by a reflection that isn't there.
@@ -304,7 +312,7 @@ GGRADE_ITEM("mirror.hidden", [](const View& view) {
     return {quality,
             fmt::format(
                 "where two objects meet, {} of {} pixels show another object than the nearest{}",
-                wrong.count(), reachable.count(), densestAt(densest))};
+                wrong.count(), region.count(), densestAt(densest))};
   });
 });
 
@@ -341,8 +349,7 @@ Mask floorWithAnyReflection(const View& view, std::size_t frame) {
 /// Share of the pixels away from the reflection that look neither like the reference nor like the
 /// scene with any reflection or none.
 double spoiled(const View& view, std::size_t frame, std::string& where) {
-  const Regions& regions = regionsOf(view.scene, frame);
-  const Mask region = ~dilate(regions.reflection | regions.clipped, 2);
+  const Mask& region = regionsOf(view.scene, frame).away;
   CompareOptions options;
   options.mask = &region;
   const Comparison full = compare(view.frames.at(frame), view.scene.reference.at(frame), options);
@@ -371,6 +378,7 @@ GGRADE_ITEM("mirror.keep_state", [](const View& view) {
 
 GGRADE_ITEM("mirror.keep_following", [](const View& view) {
   const Effect reflections = [](const View& of, std::size_t frame) {
+    if (&of.frames == &of.scene.reference) return regionsOf(of.scene, frame).covered;
     return reflectedObjects(regionsOf(of.scene, frame), of.scene.probes.at("plain").at(frame),
                             of.frames.at(frame));
   };
@@ -424,17 +432,35 @@ double rms(const Image& a, const Image& b) {
   return std::sqrt(sum / double(a.values().size()));
 }
 
+/// What the floor should add to its own light when it blurs, and how far off a sharp reflection is.
+struct Blur {
+  Image wanted;
+  double sharp = 0; // RMS
+};
+
+const Blur& blurOf(const SceneEvidence& scene, std::size_t frame) {
+  static std::map<std::pair<const SceneEvidence*, std::size_t>, Blur> known;
+  const auto [entry, fresh] = known.try_emplace({&scene, frame});
+  Blur& blur = entry->second;
+  if (fresh) {
+    const Image& plain = scene.probes.at("plain").at(frame);
+    const Mask& floor = regionsOf(scene, frame).floor;
+    blur.wanted = smoothed(scene.reference.at(frame), plain, floor);
+    blur.sharp = rms(smoothed(scene.probes.at("sharp").at(frame), plain, floor), blur.wanted);
+  }
+  return blur;
+}
+
 GGRADE_ITEM("mirror.blur", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
-    const Image& plain = view.scene.probes.at("plain").at(i);
-    const Mask& floor = regionsOf(view.scene, i).floor;
-    const Image wanted = smoothed(view.scene.reference.at(i), plain, floor);
-    const double sharp = rms(smoothed(view.scene.probes.at("sharp").at(i), plain, floor), wanted);
-    const double found = rms(smoothed(view.frames.at(i), plain, floor), wanted);
-    const double quality = std::clamp((1 - found / sharp) / 0.8, 0.0, 1.0);
+    const Blur& blur = blurOf(view.scene, i);
+    const double found = rms(smoothed(view.frames.at(i), view.scene.probes.at("plain").at(i),
+                                      regionsOf(view.scene, i).floor),
+                             blur.wanted);
+    const double quality = std::clamp((1 - found / blur.sharp) / 0.8, 0.0, 1.0);
     return {quality,
             fmt::format("the blurred reflection is off by {:.4f} (RMS); a sharp one is by {:.4f}",
-                        found, sharp)};
+                        found, blur.sharp)};
   });
 });
 
