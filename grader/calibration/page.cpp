@@ -84,10 +84,13 @@ Data partOf(const PagePart& part) {
   const std::size_t broken = verdicts.failures().size();
   data["id"] = line(verdicts.part);
   data["partTitle"] = line(part.title);
-  data["holds"] = Data(broken == 0);
+  data["measured"] = Data(!verdicts.rows.empty());
   data["partState"] = Data(broken == 0 ? "full" : "none");
-  data["partVerdict"] = Data(broken == 0 ? std::string("all of it holds")
-                                         : fmt::format("{} of it doesn't hold", broken));
+  if (verdicts.rows.empty())
+    data["partVerdict"] = Data("the diagnosis alone");
+  else
+    data["partVerdict"] = Data(broken == 0 ? std::string("all of it holds")
+                                           : fmt::format("{} of it doesn't hold", broken));
   data["summary"] = Data(fmt::format(
       "{} programs and sets of pictures, graded with {} seed{} each: {} gradings.{}",
       verdicts.rows.size(), verdicts.seeds.size(), verdicts.seeds.size() == 1 ? "" : "s", gradings,
@@ -124,12 +127,15 @@ std::string calibrationPage(const std::vector<PagePart>& parts) {
   }
   data["parts"] = std::move(list);
   data["state"] = Data(broken == 0 ? "full" : "none");
-  data["verdict"] =
-      Data(broken == 0 ? fmt::format("None of {} gradings was wrong.", gradings)
-                       : fmt::format("{} of {} gradings were wrong; {} thing{} below must hold and "
-                                     "do{} not.",
-                                     wrong, gradings, broken, broken == 1 ? "" : "s",
-                                     broken == 1 ? "es" : ""));
+  if (gradings == 0)
+    data["verdict"] = Data("Only whether mistakes are named right was measured this time.");
+  else
+    data["verdict"] = Data(
+        broken == 0 ? fmt::format("None of {} gradings was wrong.", gradings)
+                    : fmt::format("{} of {} gradings were wrong; {} thing{} below must hold and "
+                                  "do{} not.",
+                                  wrong, gradings, broken, broken == 1 ? "" : "s",
+                                  broken == 1 ? "es" : ""));
   data["rightScore"] = Data(number(kRightScore));
   data["spread"] = Data(number(kSpread));
   data["itemLoss"] = Data(number(100 * kItemLoss));

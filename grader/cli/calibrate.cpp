@@ -127,6 +127,22 @@ calibration::DiagnosisFigures diagnoseAll(const Options& options, const Target& 
   return calibration::measureDiagnosis(target, solutions, how);
 }
 
+/// What of the diagnosis doesn't hold, a line each.
+std::string failuresOf(const calibration::DiagnosisFigures& figures, const std::string& part) {
+  std::string failures;
+  const auto add = [&](double share, const char* what) {
+    failures += fmt::format("{}: {:.1f}% of {}\n", part, 100 * share, what);
+  };
+  if (figures.rightShare(false) < calibration::kRightAnswers)
+    add(figures.rightShare(false), "the mistakes are named right: too few");
+  if (figures.rightShare(true) < calibration::kRightElsewhere)
+    add(figures.rightShare(true), "the mistakes in programs that are written in another way are "
+                                  "named right: too few");
+  if (figures.wrongShare() > calibration::kWrongAnswers)
+    add(figures.wrongShare(), "unknown mistakes are given a wrong name: too many");
+  return failures;
+}
+
 void calibrate(const Options& options) {
   const std::vector<Target> targets = partsOf(options.id);
   const fs::path out = outputFolder(
@@ -142,7 +158,11 @@ void calibrate(const Options& options) {
     if (options.diagnosisOnly) {
       const auto figures = diagnoseAll(options, target, solutions, catalogue);
       parts.push_back({{"part", target.id}, {"diagnosis", calibration::toJson(figures)}});
-      tables += calibration::sectionOf(figures).text + "\n\n";
+      calibration::PagePart page{target.parts[0].title, {}, {}, {calibration::sectionOf(figures)}};
+      page.verdicts.part = target.id;
+      tables += page.sections[0].text + "\n\n";
+      failures += failuresOf(figures, target.id);
+      pages.push_back(std::move(page));
       continue;
     }
     Progress progress("calibrating " + target.id);
@@ -164,16 +184,7 @@ void calibrate(const Options& options) {
       parts.back()["diagnosis"] = calibration::toJson(figures);
       pages.back().sections.push_back(calibration::sectionOf(figures));
       tables += pages.back().sections.back().text + "\n\n";
-      if (figures.rightShare(false) < calibration::kRightAnswers)
-        failures += fmt::format("{}: only {:.1f}% of the mistakes are named right\n", target.id,
-                                100 * figures.rightShare(false));
-      if (figures.rightShare(true) < calibration::kRightElsewhere)
-        failures += fmt::format("{}: only {:.1f}% of the mistakes are named right in programs that "
-                                "are written in another way\n",
-                                target.id, 100 * figures.rightShare(true));
-      if (figures.wrongShare() > calibration::kWrongAnswers)
-        failures += fmt::format("{}: {:.1f}% of unknown mistakes are given a wrong name\n",
-                                target.id, 100 * figures.wrongShare());
+      failures += failuresOf(figures, target.id);
     }
     if (options.skipTrials || !options.only.empty()) continue;
     const auto crossed = crossValidate(options, target, solutions, programs, how.seeds);

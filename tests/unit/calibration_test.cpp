@@ -268,6 +268,16 @@ TEST(CalibrationPage, ShowsEveryProgramAndEscapesWhatPatchesSay) {
                           Not(HasSubstr("{{"))));
 }
 
+TEST(CalibrationPage, ClaimsNothingWhereOnlyTheDiagnosisWasMeasured) {
+  PagePart part;
+  part.title = "Part one";
+  part.sections.push_back({"Diagnosis", "Of 10, 9.", {}, {}});
+  EXPECT_THAT(calibrationPage({part}),
+              AllOf(HasSubstr("Only whether mistakes are named right was measured this time."),
+                    HasSubstr("the diagnosis alone"), HasSubstr("<h3>Diagnosis</h3>"),
+                    Not(HasSubstr("gradings was wrong")), Not(HasSubstr("<svg"))));
+}
+
 TEST(ScoreFile, KeepsAScoreAndKnowsAHalfWrittenOne) {
   const TemporaryFolder files;
   const fs::path file = files.path() / "score.json";
