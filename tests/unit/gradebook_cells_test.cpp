@@ -73,8 +73,9 @@ TEST(FeedbackCell, IsHtmlWithLineBreaks) {
 TEST(ReadNumber, TakesPlainDecimalsOnly) {
   EXPECT_EQ(readNumber("12"), 12);
   EXPECT_EQ(readNumber("-0.5"), -0.5);
-  for (const std::string text : {"", "12 ", " 12", "+1", "1e3", "inf", "nan", "NaN", "0x10", "1,5",
-                                 "ten", std::string(400, '9').c_str()})
+  for (const std::string& text :
+       std::vector<std::string>{"", "12 ", " 12", "+1", "1e3", "inf", "nan", "NaN", "0x10", "1,5",
+                                "ten", std::string(400, '9')})
     EXPECT_EQ(readNumber(text), std::nullopt) << text;
 }
 
