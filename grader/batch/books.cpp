@@ -31,9 +31,7 @@ gradebook::MachineScore machineScore(const ClassRow& row) {
 std::string feedback(const Record& record, const std::string& lateRule) {
   std::string text;
   for (const report::Adjustment& one : record.row.adjustments)
-    text +=
-        fmt::format("{}: {} instead of {}. {} ({})\n", one.item.empty() ? "Total" : one.item,
-                    report::number(one.points), report::number(one.machine), one.reason, one.who);
+    text += report::decisionText(record.row, one) + "\n";
   if (record.row.penalty > 0)
     text += fmt::format("Handed in late: {} points off. {}\n", report::number(record.row.penalty),
                         lateRule);

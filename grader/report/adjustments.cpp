@@ -22,7 +22,9 @@ std::string scores(const Adjustment& adjustment, ItemKind kind, const std::strin
                      number(adjustment.points));
 }
 
-std::string sentence(const ClassRow& row, const Adjustment& adjustment) {
+} // namespace
+
+std::string decisionText(const ClassRow& row, const Adjustment& adjustment) {
   const auto item = std::ranges::find(row.items, adjustment.item, &ClassItem::id);
   const std::string machine = number(adjustment.machine);
   std::string text;
@@ -42,10 +44,12 @@ std::string sentence(const ClassRow& row, const Adjustment& adjustment) {
   return text;
 }
 
+namespace {
+
 std::string section(const ClassRow& row, const std::string& lateRule) {
   std::string lines;
   for (const Adjustment& adjustment : row.adjustments)
-    lines += fmt::format("<li>{}</li>\n", escapeXml(sentence(row, adjustment)));
+    lines += fmt::format("<li>{}</li>\n", escapeXml(decisionText(row, adjustment)));
   if (row.penalty > 0) {
     const std::string rule = sanitizeLine(lateRule);
     lines += fmt::format("<li>Handed in late: {} point{} off{}</li>\n", number(row.penalty),

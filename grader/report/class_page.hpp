@@ -72,6 +72,10 @@ struct ClassPage {
 /// The whole page.
 std::string classPage(const ClassPage& page);
 
+/// What an instructor decided, for the student: "Shading: the grader gave 3 of 20, your instructor
+/// gave 10: drawn at half the size (teacher)".
+std::string decisionText(const ClassRow& row, const Adjustment& adjustment);
+
 /// `page`, a student's or instructor's page of one result, with what an instructor decided and what
 /// lateness costs in the place that the page keeps for it; what stood there before is replaced.
 /// `finalScore` is shown if anything was changed. A page without that place is returned as it is.
