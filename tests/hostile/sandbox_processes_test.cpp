@@ -1,6 +1,8 @@
 // Processes: how many, how long, and that none is left.
 #include "sandbox_fixture.hpp"
 
+#include "grader/sandbox/worker_uid.hpp"
+
 #include <gmock/gmock.h>
 
 #include <chrono>
@@ -205,4 +207,28 @@ TEST_P(SandboxProcesses, RunsBesideEachOtherHaveDistinctUids) {
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(uids.count("0"), 0u);
   EXPECT_EQ(uids.size(), geteuid() == 0 ? 3u : 1u);
+}
+
+// What a killed tool leaves behind: a bwrap that nobody waits for any more, say.
+TEST(SandboxLeftOver, IsEndedByTheNextRunWithTheSameUid) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs root";
+  const uid_t uid = ggrade::sandbox::WorkerUid().get(); // the next run's, or a neighbour's
+  const pid_t child = fork();
+  if (child == 0) {
+    if (setresuid(uid, uid, uid) != 0) _exit(1);
+    for (;;) pause();
+  }
+  while (realUid(child) != std::to_string(uid)) std::this_thread::sleep_for(1ms);
+  Command command;
+  command.arguments = {"/bin/true"};
+  command.limits.wallSeconds = 10;
+  EXPECT_EQ(run(command, Isolation::bwrap).exitCode, 0);
+  int status = 0;
+  pid_t ended = 0;
+  for (int tries = 0; tries < 500 && ended == 0; ++tries) {
+    ended = waitpid(child, &status, WNOHANG);
+    if (ended == 0) std::this_thread::sleep_for(10ms);
+  }
+  EXPECT_TRUE(ended == child && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << status;
+  if (ended == 0) kill(child, SIGKILL);
 }

@@ -94,6 +94,9 @@ int runOutside(const HelperPlan& plan) {
   if (plan.uid >= 0) {
     if (const std::string error = stageMounts(plan); !error.empty()) return fail(error);
     if (const std::string error = becomeWorker(plan); !error.empty()) return fail(error);
+    // Nobody else has this uid now (see WorkerUid): whatever does is left of a run whose tool was
+    // killed, such as a bwrap that waits for its dead parent. The kernel leaves out who asks.
+    kill(-1, SIGKILL);
   }
   // After the change of uid, which clears it. The supervisor may have died before it was set.
   if (prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || getppid() != plan.parent) return 1;
