@@ -18,7 +18,8 @@ void publish(report::Result result, const Job& job, const Destination& destinati
   record.grader = destination.grader;
   record.run = destination.run;
   grading::TemporaryFolder written(destination.out);
-  report::writeReports(written.path(), result, destination.reveal);
+  // A worker keeps to its own core.
+  report::writeReports(written.path(), result, destination.reveal, std::launch::deferred);
   saveRecord(written.path(), record);
   written.publish(destination.out / upload.folder);
 }

@@ -5,6 +5,7 @@
 #include "report/reveal.hpp"
 #include "report/summary.hpp"
 
+#include <future>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,8 +17,9 @@ struct Pages {
   std::string student; ///< what studentView() leaves
 };
 
-/// Both pages of one result; each picture is encoded once.
-Pages resultPages(const Result& result, Reveal reveal);
+/// Both pages of one result; each picture is encoded once. `how`: on threads, or one after another
+/// for who has no processor to spare.
+Pages resultPages(const Result& result, Reveal reveal, std::launch how = std::launch::async);
 
 /// A list of results, in the order given, with a thumbnail and a link each.
 /// \param intro one or two sentences under the title; may be empty

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstddef>
+#include <future>
 #include <map>
 #include <span>
 #include <string>
@@ -24,7 +25,7 @@ using FramePictures = std::array<std::string, 5>;
 /// The frames of each scene. Public and hidden scenes never share an entry, whatever their names.
 using SceneKey = std::pair<std::string, bool>;
 using Pictures = std::map<SceneKey, std::vector<FramePictures>>;
-Pictures encode(const Result& result);
+Pictures encode(const Result& result, std::launch how);
 
 /// Who reads the page decides its words, not what it shows: that is in the Result it is given.
 struct Audience {

@@ -7,9 +7,10 @@
 
 namespace ggrade::report {
 
-void writeReports(const std::filesystem::path& folder, const Result& result, Reveal reveal) {
+void writeReports(const std::filesystem::path& folder, const Result& result, Reveal reveal,
+                  std::launch how) {
   makeFolder(folder);
-  const Pages pages = resultPages(result, reveal);
+  const Pages pages = resultPages(result, reveal, how);
   const std::string json = resultsJson(result, reveal), xml = junit(result);
   writeFile(folder / "index.html", pages.index);
   writeFile(folder / "student.html", pages.student);

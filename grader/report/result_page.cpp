@@ -231,8 +231,8 @@ std::string page(const Result& result, const Pictures& pictures, const Audience&
 
 } // namespace
 
-Pages resultPages(const Result& result, Reveal reveal) {
-  const Pictures pictures = encode(result);
+Pages resultPages(const Result& result, Reveal reveal, std::launch how) {
+  const Pictures pictures = encode(result, how);
   const Result view = studentView(result, reveal);
   return {page(result, pictures, {true}, false),
           page(view, pictures, {false}, view.scenes.size() < result.scenes.size())};

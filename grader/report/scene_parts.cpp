@@ -134,19 +134,23 @@ Data choicesOf(const Scene& scene, std::size_t sceneIndex, std::size_t chosen) {
 
 } // namespace
 
-Pictures encode(const Result& result) {
+Pictures encode(const Result& result, std::launch how) {
   const auto uris = [](const Scene& scene) {
     std::vector<FramePictures> frames;
-    for (const Frame& frame : scene.frames)
-      frames.push_back({pngDataUri(frame.student), pngDataUri(frame.reference),
+    for (const Frame& frame : scene.frames) {
+      const std::string reference = pngDataUri(frame.reference);
+      const bool same = sameSize(frame.student, frame.reference) &&
+                        std::ranges::equal(frame.student.values(), frame.reference.values());
+      frames.push_back({same ? reference : pngDataUri(frame.student), reference,
                         pngDataUri(frame.difference), pngDataUri(frame.flipPicture),
                         pngDataUri(frame.unsteadyPicture)});
+    }
     return frames;
   };
-  // Compressing is most of the time that a report takes: a thread a scene.
+  // Compressing is most of the time that a report takes: a thread a scene, if there may be any.
   std::vector<std::future<std::vector<FramePictures>>> pending;
   for (const Scene& scene : result.scenes)
-    pending.push_back(std::async(std::launch::async, uris, std::cref(scene)));
+    pending.push_back(std::async(how, uris, std::cref(scene)));
   Pictures pictures;
   for (std::size_t i = 0; i < pending.size(); ++i)
     pictures.try_emplace(keyOf(result.scenes[i]), pending[i].get());
