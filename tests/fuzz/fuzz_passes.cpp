@@ -28,16 +28,6 @@ template <typename Enum> std::uint32_t number(Enum value) {
 
 constexpr std::uint32_t kSide = 4;
 
-Request everything() {
-  Request request{};
-  request.passes = 1;
-  request.copies = (1U << kAttachments) - 1;
-  request.windowCopies = request.renderbufferCopies = request.stepCopies = 1;
-  request.copyFrames = 2;
-  request.copyBytes = 4096;
-  return request;
-}
-
 /// Two frames were planned and one came, with two passes; a third began after it.
 void writeRun(ChildView& child) {
   Header& header = child.header();
@@ -167,7 +157,8 @@ void lookAt(const Capture& capture) {
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const Channel channel({{0, kSide, kSide}, {1, kSide, kSide}}, kDefaultMaxPixels, everything());
+  const Channel channel({{0, kSide, kSide}, {1, kSide, kSide}}, kDefaultMaxPixels,
+                        everything(4096));
   ChildView child(channel);
   writeRun(child);
   for (Bytes bytes(data, size); bytes.any();) strikeAny(bytes, child, channel.plan());

@@ -9,6 +9,17 @@
 
 namespace ggrade::channel {
 
+/// All that can be recorded of the first two frames, with so many bytes for copies.
+inline trace::Request everything(std::uint64_t copyBytes) {
+  trace::Request request{};
+  request.passes = 1;
+  request.copies = (1U << trace::kAttachments) - 1;
+  request.windowCopies = request.renderbufferCopies = request.stepCopies = 1;
+  request.copyFrames = 2;
+  request.copyBytes = copyBytes;
+  return request;
+}
+
 class ChildView {
 public:
   explicit ChildView(const Channel& channel) : bytes_(totalBytes(channel.plan())) {

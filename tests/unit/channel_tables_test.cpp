@@ -20,20 +20,10 @@ using testing::HasSubstr;
 
 constexpr std::uint64_t kRoom = 4096;
 
-Request everything() {
-  Request request{};
-  request.passes = 1;
-  request.copies = (1U << kAttachments) - 1;
-  request.windowCopies = request.renderbufferCopies = request.stepCopies = 1;
-  request.copyFrames = 2;
-  request.copyBytes = kRoom;
-  return request;
-}
-
 /// A run of one whole frame with two passes of two steps, and a third pass after the swap.
 class ChannelTables : public testing::Test {
 protected:
-  ChannelTables() : channel_({{0, 2, 2}, {1, 2, 2}}, kDefaultMaxPixels, everything()) {
+  ChannelTables() : channel_({{0, 2, 2}, {1, 2, 2}}, kDefaultMaxPixels, everything(kRoom)) {
     Header& header = child_.header();
     header.started = header.contextMade = header.framesDone = 1;
     header.frames[0].written = 1;
