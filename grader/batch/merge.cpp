@@ -55,7 +55,7 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
     const auto state = loadState(folder);
     if (!state) throw UsageError(fmt::format("{} holds no graded class", folder.string()));
     joined.target = merged.target = state->target;
-    joined.seed = state->seed;
+    if (folder == from.front()) joined.seed = state->seed;
     if (!state->isFinished)
       merged.remarks.push_back(
           fmt::format("{} is not finished: go on with it by --resume", folder.string()));
