@@ -34,6 +34,7 @@ public:
         judge_(target, references_.scenes),
         grader_(grading::hashOf(grading::gradingKey(target, solutionFolder, plan_))) {
     how_.threads = 1;
+    how_.referencePictures = std::make_shared<grading::ReferencePictures>();
     how_.judging = [this](const auto& scenes, const fs::path& work, std::string& problem,
                           const std::vector<std::string>& again) {
       return judge_.judge(scenes, work, problem, again);

@@ -41,11 +41,13 @@ private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-report::Frame compareFrames(const Image& student, const Image& reference, double time) {
+report::Frame compareFrames(const Image& student, const ReferencePictures::Frame& shown) {
+  const Image& reference = shown.image;
   report::Frame frame;
-  frame.time = time;
+  frame.time = shown.raw.time;
   frame.student = student;
   frame.reference = reference;
+  frame.referencePng = shown.png;
   frame.wrongShare = 1;
   if (student.empty()) return frame;
   const Comparison comparison = compare(student, reference);
@@ -124,7 +126,8 @@ std::string compareRuns(const Rendering& first, const Rendering& again, report::
                      where);
 }
 
-report::Scene describe(const rubric::SceneFolders& folders, const Rendering& rendering) {
+report::Scene describe(const rubric::SceneFolders& folders, const Rendering& rendering,
+                       ReferencePictures& pictures) {
   report::Scene scene;
   scene.name = folders.name;
   scene.isPublic = folders.isPublic;
@@ -134,19 +137,23 @@ report::Scene describe(const rubric::SceneFolders& folders, const Rendering& ren
   scene.seconds = rendering.happened.seconds;
   scene.messages = remarks(rendering.capture);
   const auto student = rawFrames(rendering.capture);
-  const auto reference = rubric::readFrames(folders.reference);
+  const auto& reference = pictures.of(folders.reference);
   for (std::size_t i = 0; i < reference.size(); ++i) {
-    scene.frames.push_back(compareFrames(i < student.size() ? rubric::toImage(student[i]) : Image(),
-                                         rubric::toImage(reference[i]), reference[i].time));
+    scene.frames.push_back(
+        compareFrames(i < student.size() ? rubric::toImage(student[i]) : Image(), reference[i]));
     if (i < student.size()) scene.frames.back().hash = hashOf(student[i]);
   }
   return scene;
 }
 
 /// Byte for byte: whether a second run does the same is then no question.
-bool drawsTheReference(const Rendering& rendering, const rubric::SceneFolders& scene) {
-  return std::ranges::equal(rawFrames(rendering.capture), rubric::readFrames(scene.reference), {},
-                            &rubric::RawFrame::pixels, &rubric::RawFrame::pixels);
+bool drawsTheReference(const Rendering& rendering, const rubric::SceneFolders& scene,
+                       ReferencePictures& pictures) {
+  const auto same = [](const channel::CapturedFrame& frame,
+                       const ReferencePictures::Frame& reference) {
+    return frame.written && frame.pixels == reference.raw.pixels;
+  };
+  return std::ranges::equal(rendering.capture.frames, pictures.of(scene.reference), same);
 }
 
 /// Items as declared, nothing earned: for submissions that never came to be judged.
@@ -172,6 +179,7 @@ template <class StudentFolder>
 Renderings renderScenes(const Target& target, const Built& built, const ScenePlan& plan,
                         const References& references, const StudentFolder& studentFolder,
                         const fs::path& shaderFolder, const GradeOptions& options,
+                        ReferencePictures& pictures,
                         const std::function<void(std::size_t done)>& progress) {
   std::vector<Rendering> renderings(references.scenes.size());
   std::optional<Rendering> again;
@@ -205,7 +213,7 @@ Renderings renderScenes(const Target& target, const Built& built, const ScenePla
     render(first++);
     shaders = {shaderFolder, {}};
     twice = options.pictures && renderings[0].happened.ok() &&
-            !drawsTheReference(renderings[0], references.scenes[0]);
+            !drawsTheReference(renderings[0], references.scenes[0], pictures);
   }
   inParallel(renderings.size() - first + twice, options.threads, [&](std::size_t i) {
     if (first + i < renderings.size())
@@ -360,6 +368,9 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   result.seed = plan.seed;
   if (result.outcome != Outcome::graded) return result;
 
+  const auto kept =
+      options.referencePictures ? options.referencePictures : std::make_shared<ReferencePictures>();
+  ReferencePictures& pictures = *kept;
   const std::size_t steps = references.scenes.size() + 2;
   TemporaryFolder work;
   std::vector<rubric::SceneFolders> folders = references.scenes;
@@ -372,8 +383,9 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   {
     const Stopwatch time(result, "render");
     progress("rendering", 1, steps);
-    renderings = renderScenes(target, built, plan, references, studentFolder, shaders, options,
-                              [&](std::size_t done) { progress("rendering", done, steps); });
+    renderings =
+        renderScenes(target, built, plan, references, studentFolder, shaders, options, pictures,
+                     [&](std::size_t done) { progress("rendering", done, steps); });
   }
   nameOutcome(renderings.scenes, folders, result);
 
@@ -384,7 +396,7 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
     std::vector<report::Scene> all;
     if (options.pictures)
       for (std::size_t i = 0; i < folders.size(); ++i)
-        all.push_back(describe(folders[i], renderings.scenes[i]));
+        all.push_back(describe(folders[i], renderings.scenes[i], pictures));
     return all;
   });
   const Judging judging = options.judging ? options.judging : judgeAlone(target, options);

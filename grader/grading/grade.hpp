@@ -2,6 +2,7 @@
 /// \file
 /// Grading one submission, from the upload to a result that the reports are written from.
 
+#include "grading/reference_pictures.hpp"
 #include "grading/references.hpp"
 #include "grading/submitted.hpp"
 #include "grading/workspace.hpp"
@@ -33,8 +34,10 @@ struct GradeOptions {
   bool pictures = true;
   unsigned threads = workers(); ///< scenes rendered at a time; 1: nothing goes on beside another
   bool diagnosis = true;        ///< `grade` looks for the likeliest cause of lost points
-  Judging judging;              ///< empty: a judge's process for this grading alone
-  Examining examining;          ///< looks closer at what `gradeBuilt` judged, if anything does
+  /// For who grades many submissions, one at a time, against the same references; empty: read anew.
+  std::shared_ptr<ReferencePictures> referencePictures;
+  Judging judging;     ///< empty: a judge's process for this grading alone
+  Examining examining; ///< looks closer at what `gradeBuilt` judged, if anything does
   Progress progress;
 };
 

@@ -83,7 +83,8 @@ struct Frame {
   std::string hash{};    ///< of the student's bytes: equal hashes are bit-identical frames
   /// FLIP (image/flip.hpp), for people: 0 to 1; unless there was a pair to compare, not a number.
   double flip = std::numeric_limits<double>::quiet_NaN();
-  Image flipPicture{}; ///< its map as a heat map
+  Image flipPicture{};        ///< its map as a heat map
+  std::string referencePng{}; ///< `reference` as a data URI, if somebody has encoded it before
   /// Of the pixels that a second run of the same program drew otherwise, in any bit: 0 to 1.
   double unsteadyShare = 0;
   Image unsteadyPicture{}; ///< where; empty if nowhere

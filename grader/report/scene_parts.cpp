@@ -138,7 +138,8 @@ Pictures encode(const Result& result, std::launch how) {
   const auto uris = [](const Scene& scene) {
     std::vector<FramePictures> frames;
     for (const Frame& frame : scene.frames) {
-      const std::string reference = pngDataUri(frame.reference);
+      const std::string reference =
+          frame.referencePng.empty() ? pngDataUri(frame.reference) : frame.referencePng;
       const bool same = sameSize(frame.student, frame.reference) &&
                         std::ranges::equal(frame.student.values(), frame.reference.values());
       frames.push_back({same ? reference : pngDataUri(frame.student), reference,

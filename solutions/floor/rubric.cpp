@@ -145,19 +145,51 @@ GGRADE_ITEM("mirror.shading", [](const View& view) {
   });
 });
 
+/// The textures that objects were drawn into and a later pass samples.
+std::vector<Image> objectTextures(const trace::Trace& trace) {
+  std::vector<Image> all;
+  for (const Drawn& drawn : sampledLater(trace))
+    if (drawn.attachment < trace::kColors && drewObjects(*drawn.pass))
+      all.push_back(trace.image(*drawn.copy)); // alpha goes when it is resampled
+  return all;
+}
+
+/// The reference's reflection texture at the window's size, RGB, and the background that it starts
+/// from.
+struct WantedTexture {
+  Image picture, background;
+  Mask objects;
+};
+
+const WantedTexture& wantedTexture(const SceneEvidence& scene) {
+  static std::map<const SceneEvidence*, WantedTexture> known;
+  const auto [entry, fresh] = known.try_emplace(&scene);
+  WantedTexture& wanted = entry->second;
+  if (fresh) {
+    const std::vector<Image> textures = objectTextures(scene.referenceTrace);
+    if (textures.size() != 1) throw std::runtime_error("the reference has no reflection texture");
+    const int width = scene.reference.at(0).width(), height = scene.reference.at(0).height();
+    wanted.picture = resampled(textures[0], width, height, 3);
+    const auto colour = scene.scene.at("background").get<std::array<float, 3>>();
+    wanted.background = Image(width, height, 3);
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        std::ranges::copy(colour, wanted.background.pixel(x, y).begin());
+    wanted.objects = differenceMask(wanted.picture, wanted.background, 2 * tolerances().tolerance);
+  }
+  return wanted;
+}
+
 /// How right a texture is that mirrored objects were drawn into, of any size, in the first frame.
-double textureQuality(const Image& found, const Image& wanted, const Image& background,
-                      std::string& message) {
-  const int width = background.width(), height = background.height();
-  const Image a = resampled(found, width, height, 3), b = resampled(wanted, width, height, 3);
-  const Mask objects = differenceMask(b, background, 2 * tolerances().tolerance);
+double textureQuality(const Image& found, const WantedTexture& wanted, std::string& message) {
+  const Image a = resampled(found, wanted.picture.width(), wanted.picture.height(), 3);
   const Mask region =
-      dilate(objects | differenceMask(a, background, 2 * tolerances().tolerance), 1);
+      dilate(wanted.objects | differenceMask(a, wanted.background, 2 * tolerances().tolerance), 1);
   CompareOptions options;
   options.mask = &region;
-  const Comparison comparison = compare(a, b, options);
+  const Comparison comparison = compare(a, wanted.picture, options);
   const double share =
-      double(comparison.wrongPixels) / double(std::max<std::size_t>(objects.count(), 1));
+      double(comparison.wrongPixels) / double(std::max<std::size_t>(wanted.objects.count(), 1));
   message =
       fmt::format("reflection texture of {}: {:.1f}% as many pixels as it has of objects differ{}",
                   found.sizeText(), 100 * share, densestAt(comparison.densest));
@@ -165,25 +197,11 @@ double textureQuality(const Image& found, const Image& wanted, const Image& back
 }
 
 GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
-  const Image& frame = view.scene.reference.at(0);
-  const auto colour = view.scene.scene.at("background").get<std::array<float, 3>>();
-  Image background(frame.width(), frame.height(), 3);
-  for (int y = 0; y < background.height(); ++y)
-    for (int x = 0; x < background.width(); ++x)
-      for (int c = 0; c < 3; ++c) background.at(x, y, c) = colour[std::size_t(c)];
-  const auto textures = [](const trace::Trace& trace) {
-    std::vector<Image> all;
-    for (const Drawn& drawn : sampledLater(trace))
-      if (drawn.attachment < trace::kColors && drewObjects(*drawn.pass))
-        all.push_back(trace.image(*drawn.copy)); // alpha goes when it is resampled
-    return all;
-  };
-  const std::vector<Image> wanted = textures(view.scene.referenceTrace);
-  if (wanted.size() != 1) throw std::runtime_error("the reference has no reflection texture");
+  const WantedTexture& wanted = wantedTexture(view.scene);
   Verdict best{0, "no pass samples a texture that objects were drawn into"};
-  for (const Image& found : textures(view.trace)) {
+  for (const Image& found : objectTextures(view.trace)) {
     std::string message;
-    const double quality = textureQuality(found, wanted[0], background, message);
+    const double quality = textureQuality(found, wanted, message);
     if (quality >= best.quality) best = {quality, message};
   }
   if (best.quality >= 1) return best;
@@ -191,7 +209,7 @@ GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
   const Mask& floor = regionsOf(view.scene, 0).floor;
   CompareOptions options;
   options.mask = &floor;
-  const Comparison comparison = compare(view.frames.at(0), frame, options);
+  const Comparison comparison = compare(view.frames.at(0), view.scene.reference.at(0), options);
   const std::size_t objects = regionsOf(view.scene, 0).reflection.count();
   const double share = double(comparison.wrongPixels) / double(std::max<std::size_t>(objects, 1));
   const double quality = comparison.compared() ? qualityOf(share) : 0;
