@@ -54,7 +54,7 @@ State open(const Target& target, const BatchOptions& options) {
         grading::refuseForeign(options.out, name);
     State fresh;
     fresh.target = target.id;
-    fresh.seed = options.seed;
+    fresh.draw = options.draw;
     return fresh;
   }
   State state = *found;
@@ -66,12 +66,14 @@ State open(const Target& target, const BatchOptions& options) {
     throw UsageError(fmt::format("{} holds an earlier run: --resume grades what is missing or has "
                                  "changed, --regrade all of it again",
                                  options.out.string()));
-  if (state.seed != options.seed && !options.regrade)
-    throw UsageError(fmt::format("{} was graded with {}: give the same, or --regrade",
+  if (state.draw != options.draw && !options.regrade)
+    throw UsageError(fmt::format("{} was graded with {} and --quality {}: give the same, or "
+                                 "--regrade",
                                  options.out.string(),
-                                 state.seed ? fmt::format("--seed {}", *state.seed)
-                                            : std::string("the assignment's own seed")));
-  state.seed = options.seed;
+                                 state.draw.seed ? fmt::format("--seed {}", *state.draw.seed)
+                                                 : std::string("the assignment's own seed"),
+                                 nameOf(state.draw.quality)));
+  state.draw = options.draw;
   // A run that was cut short goes on, and is compared with what stood before it.
   if (!state.isFinished) return state;
   state.isFinished = false;
@@ -113,8 +115,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   keepOnly(intake.uploads, options.only);
   keepShard(intake.uploads, options.shard);
 
-  const grading::ScenePlan plan =
-      grading::drawScenes(target, solutionFolder, options.seed ? &*options.seed : nullptr);
+  const grading::ScenePlan plan = grading::drawScenes(target, solutionFolder, options.draw);
   grading::prepareReferences(target, solutionFolder, plan, preparing);
   const std::string grader = grading::hashOf(grading::gradingKey(target, solutionFolder, plan));
   std::vector<Job> jobs;
@@ -150,8 +151,9 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
                  std::to_string(state.run),
                  "--reveal",
                  std::string(report::name(options.reveal))};
-  if (options.seed)
-    pool.worker.insert(pool.worker.end(), {"--seed", std::to_string(*options.seed)});
+  pool.worker.insert(pool.worker.end(), {"--quality", nameOf(options.draw.quality)});
+  if (options.draw.seed)
+    pool.worker.insert(pool.worker.end(), {"--seed", std::to_string(*options.draw.seed)});
   if (!options.diagnosis) pool.worker.push_back("--no-diagnosis");
   if (grading::isolation() == sandbox::Isolation::none)
     pool.worker.insert(pool.worker.end(), {"--sandbox", "none"});
@@ -160,6 +162,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   const auto ungraded = [&](const Job& job, const std::string& problem) {
     report::Result result = grading::ungraded(target, report::Outcome::notGradable, problem);
     result.seed = plan.seed;
+    result.quality = nameOf(plan.quality);
     try {
       publish(result, job, {options.out, options.reveal, grader, state.run});
       return problem;

@@ -17,7 +17,7 @@ struct Shard {
 
 struct BatchOptions {
   std::filesystem::path uploads, out;
-  std::optional<std::uint64_t> seed;
+  grading::Draw draw;
   unsigned jobs = 1;
   bool resume = false, regrade = false;
   std::vector<std::string> only; ///< students' keys, names or folders; empty: all

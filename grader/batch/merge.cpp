@@ -36,9 +36,10 @@ void requireAlike(const Record& one, const fs::path& folder, const Record& first
   if (one.seed != first.seed)
     refuse(fmt::format("they were graded with seeds {} and {}", first.seed, one.seed));
   if (one.grader != first.grader)
-    refuse(fmt::format("{} in one and {} in the other were graded by other builds of the tool, or "
-                       "with other points; --resume with one build on both",
-                       first.row.name, one.row.name));
+    refuse(
+        fmt::format("{} in one and {} in the other were graded by other builds of the tool, "
+                    "with another --quality or with other points; --resume with one build on both",
+                    first.row.name, one.row.name));
 }
 
 } // namespace
@@ -55,7 +56,7 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
     const auto state = loadState(folder);
     if (!state) throw UsageError(fmt::format("{} holds no graded class", folder.string()));
     joined.target = merged.target = state->target;
-    if (folder == from.front()) joined.seed = state->seed;
+    if (folder == from.front()) joined.draw = state->draw;
     if (!state->isFinished)
       merged.remarks.push_back(
           fmt::format("{} is not finished: go on with it by --resume", folder.string()));

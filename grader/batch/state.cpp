@@ -44,7 +44,8 @@ std::optional<State> loadState(const fs::path& out) {
     const json kept = json::parse(readFile(file));
     State state;
     kept.at("target").get_to(state.target);
-    if (!kept.at("seed").is_null()) state.seed = kept.at("seed").get<std::uint64_t>();
+    if (!kept.at("seed").is_null()) state.draw.seed = kept.at("seed").get<std::uint64_t>();
+    state.draw.quality = grading::parseQuality(kept.at("quality").get<std::string>());
     state.work = kept.at("work").get<std::string>();
     kept.at("run").get_to(state.run);
     kept.at("finished").get_to(state.isFinished);
@@ -57,10 +58,13 @@ std::optional<State> loadState(const fs::path& out) {
 }
 
 void saveState(const fs::path& out, const State& state) {
-  const json kept = {
-      {"target", state.target},       {"seed", state.seed ? json(*state.seed) : json(nullptr)},
-      {"work", state.work.string()},  {"run", state.run},
-      {"finished", state.isFinished}, {"before", state.before}};
+  const json kept = {{"target", state.target},
+                     {"seed", state.draw.seed ? json(*state.draw.seed) : json(nullptr)},
+                     {"quality", nameOf(state.draw.quality)},
+                     {"work", state.work.string()},
+                     {"run", state.run},
+                     {"finished", state.isFinished},
+                     {"before", state.before}};
   report::writeFile(out / kState, kept.dump(2) + '\n');
 }
 

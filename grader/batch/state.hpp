@@ -2,6 +2,8 @@
 /// \file
 /// What a class' folder remembers of its runs: `.ggrade-batch.json`.
 
+#include "grading/scenes.hpp"
+
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -10,8 +12,8 @@
 namespace ggrade::batch {
 
 struct State {
-  std::string target; ///< ID of what is graded
-  std::optional<std::uint64_t> seed;
+  std::string target;         ///< ID of what is graded
+  grading::Draw draw;         ///< of the scenes
   std::filesystem::path work; ///< temporary folder of the run; removed by the next one if this died
   unsigned run = 1;           ///< counts regradings
   bool isFinished = false;

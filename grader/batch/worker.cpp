@@ -29,7 +29,7 @@ class Worker {
 public:
   Worker(const Target& target, const fs::path& solutionFolder, const WorkerOptions& options)
       : target_(target), options_(options),
-        plan_(grading::drawScenes(target, solutionFolder, options.seed ? &*options.seed : nullptr)),
+        plan_(grading::drawScenes(target, solutionFolder, options.draw)),
         references_(grading::prepareReferences(target, solutionFolder, plan_, quiet)),
         judge_(target, references_.scenes),
         grader_(grading::hashOf(grading::gradingKey(target, solutionFolder, plan_))) {
@@ -78,6 +78,7 @@ private:
       }
     }
     result.seed = plan_.seed;
+    result.quality = nameOf(plan_.quality);
     for (const auto* list : {&unpacked.refused, &unpacked.remarks})
       result.unusedFiles.insert(result.unusedFiles.end(), list->begin(), list->end());
     return result;

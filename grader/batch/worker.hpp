@@ -3,6 +3,7 @@
 /// A process that grades one upload after the other.
 
 #include "assignment/assignment.hpp"
+#include "grading/scenes.hpp"
 #include "report/reveal.hpp"
 
 #include <optional>
@@ -11,7 +12,7 @@ namespace ggrade::batch {
 
 struct WorkerOptions {
   std::filesystem::path out; ///< results go to folders in it
-  std::optional<std::uint64_t> seed;
+  grading::Draw draw;
   report::Reveal reveal = report::Reveal::names;
   bool diagnosis = true;
   unsigned run = 1;

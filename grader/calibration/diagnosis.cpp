@@ -93,7 +93,8 @@ private:
   }
 
   void runSeed(std::uint64_t seed) {
-    const grading::ScenePlan plan = grading::drawScenes(target_, solutionFolder_, &seed);
+    const grading::ScenePlan plan =
+        grading::drawScenes(target_, solutionFolder_, {seed, options_.quality});
     const SeedPictures pictures(target_, solutionFolder_, plan);
     const grading::References& references = pictures.references;
     grading::JudgeServer server(target_, references.scenes);

@@ -53,6 +53,7 @@ inline constexpr double kRightAnswers = 0.95, kRightElsewhere = 0.8, kWrongAnswe
 
 struct DiagnosisOptions {
   std::vector<std::uint64_t> seeds; ///< others than those that the thresholds were chosen on
+  grading::Quality quality = grading::Quality::balanced;
   std::size_t variants = 2;      ///< programs that each mistake is made in, besides the reference
   std::vector<std::string> only; ///< names of mistakes; empty: all
   unsigned jobs = grading::workers();

@@ -35,7 +35,7 @@ public:
 private:
   void gradeSeed(std::uint64_t seed) {
     const std::string what = fmt::format("seed {}", seed);
-    const ScenePlan plan = grading::drawScenes(target_, solutionFolder_, &seed);
+    const ScenePlan plan = grading::drawScenes(target_, solutionFolder_, {seed, options_.quality});
     const std::string common = grading::gradingKey(target_, solutionFolder_, plan);
     std::vector<Subject*> missing;
     for (const auto& subject : subjects_) {

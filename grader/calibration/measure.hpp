@@ -9,6 +9,7 @@ namespace ggrade::calibration {
 
 struct MeasureOptions {
   std::vector<std::uint64_t> seeds;
+  grading::Quality quality = grading::Quality::balanced;
   unsigned jobs = grading::workers(); ///< gradings at a time, each on one thread
   grading::Progress progress;
 };

@@ -49,6 +49,7 @@ struct Score {
   report::Outcome outcome = report::Outcome::graded;
   std::string detail;
   double score = 0, bonus = 0;
+  double seconds = 0; ///< that rendering and judging took; building and pictures come on top
   std::map<std::string, double> earned;        ///< by item; keep items 0 or less
   std::map<std::string, std::string> messages; ///< of items that lost something
 

@@ -12,10 +12,10 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 json toJson(const Score& score) {
-  return {{"seed", score.seed},        {"outcome", report::name(score.outcome)},
-          {"detail", score.detail},    {"score", score.score},
-          {"bonus", score.bonus},      {"earned", score.earned},
-          {"messages", score.messages}};
+  return {{"seed", score.seed},     {"outcome", report::name(score.outcome)},
+          {"detail", score.detail}, {"score", score.score},
+          {"bonus", score.bonus},   {"seconds", score.seconds},
+          {"earned", score.earned}, {"messages", score.messages}};
 }
 
 Score scoreFrom(const json& from) {
@@ -24,6 +24,7 @@ Score scoreFrom(const json& from) {
   score.detail = from.at("detail");
   score.score = from.at("score");
   score.bonus = from.at("bonus");
+  score.seconds = from.at("seconds");
   score.earned = from.at("earned").get<std::map<std::string, double>>();
   score.messages = from.at("messages").get<std::map<std::string, std::string>>();
   score.outcome =

@@ -72,7 +72,8 @@ namespace {
 grading::References prepare(const Target& target, const fs::path& solutionFolder,
                             const grading::ScenePlan& plan, const fs::path& folder) {
   const auto quiet = [](const auto&, auto, auto) {};
-  const grading::ScenePlan usual = grading::drawScenes(target, solutionFolder, nullptr);
+  const grading::ScenePlan usual =
+      grading::drawScenes(target, solutionFolder, {std::nullopt, plan.quality});
   grading::References own = grading::prepareReferences(target, solutionFolder, usual, quiet);
   grading::References all =
       plan.seed == usual.seed
@@ -97,6 +98,8 @@ Score scoreOf(const report::Result& result) {
   score.detail = result.detail;
   score.score = result.score;
   score.bonus = result.bonus;
+  for (const report::Timing& timing : result.timings)
+    if (timing.what != "build") score.seconds += timing.seconds;
   for (const report::Item& item : result.items) {
     score.earned[item.id] = item.earned;
     const double full = item.kind == report::ItemKind::keep ? 0 : item.points;

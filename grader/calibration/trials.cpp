@@ -33,7 +33,7 @@ public:
   }
 
   void trySeed(std::uint64_t seed, const std::function<void()>& step) {
-    const ScenePlan plan = grading::drawScenes(target_, solutionFolder_, &seed);
+    const ScenePlan plan = grading::drawScenes(target_, solutionFolder_, {seed});
     const std::string common = "trial " + grading::gradingKey(target_, solutionFolder_, plan);
     const auto fileOf = [&](const Trial& trial, const Subject& subject) {
       return scoreFile(fmt::format("{} {} {} {}", common, trial.setting.steps, trial.setting.radius,

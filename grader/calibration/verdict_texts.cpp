@@ -87,6 +87,9 @@ std::string tableOf(const Verdicts& verdicts) {
                       "{}. Pairs of mistakes: {}.\n",
                       confusion[0][1], confusion[0][0] + confusion[0][1], confusion[1][0],
                       confusion[1][0] + confusion[1][1], verdicts.pairs);
+  if (verdicts.seconds > 0)
+    text +=
+        fmt::format("Rendering and judging took {:.2f} s a grading (median).\n", verdicts.seconds);
   return text;
 }
 

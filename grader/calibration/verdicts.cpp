@@ -208,6 +208,7 @@ Verdicts judge(const std::string& part, const std::vector<ItemDeclaration>& item
   verdicts.lowestRight = std::numeric_limits<double>::infinity();
   verdicts.highestWrong = -verdicts.lowestRight;
   std::set<std::uint64_t> seeds;
+  std::vector<double> seconds;
   for (const Measured& measured : all) {
     const Row row = rowOf(judge, measured);
     const bool right = isRight(row.kind);
@@ -216,6 +217,8 @@ Verdicts judge(const std::string& part, const std::vector<ItemDeclaration>& item
     verdicts.pairs += row.kind == Kind::pair;
     for (const Score& score : measured.scores) {
       seeds.insert(score.seed);
+      if (score.outcome == report::Outcome::graded && score.seconds > 0)
+        seconds.push_back(score.seconds);
       const ItemDeclaration* item = judge.item(row.item);
       const bool small = item && (item->beyondLecture || item->kind == report::ItemKind::bonus);
       if (right)
@@ -227,6 +230,11 @@ Verdicts judge(const std::string& part, const std::vector<ItemDeclaration>& item
     verdicts.rows.push_back(row);
   }
   verdicts.seeds.assign(seeds.begin(), seeds.end());
+  if (!seconds.empty()) {
+    const auto middle = seconds.begin() + std::ptrdiff_t(seconds.size() / 2);
+    std::ranges::nth_element(seconds, middle);
+    verdicts.seconds = *middle;
+  }
   return verdicts;
 }
 

@@ -42,6 +42,7 @@ struct Verdicts {
   /// a wrong one is not where it lost what it must lose.
   std::array<std::array<std::size_t, 2>, 2> confusion{};
   std::size_t pairs = 0;
+  double seconds = 0; ///< median of the gradings that came to an end
 
   std::vector<std::string> failures() const; ///< of all rows
 };

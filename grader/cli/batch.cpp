@@ -152,7 +152,7 @@ void addWorker(CLI::App& app) {
   // Not listed: `batch` starts this, as many times as there are jobs at a time.
   auto* command = app.add_subcommand("worker", "Grades uploads that stdin names")->group("");
   struct Options {
-    std::string id, reveal = "names", sandbox = "bwrap", out;
+    std::string id, reveal = "names", sandbox = "bwrap", quality = "balanced", out;
     batch::WorkerOptions how;
     std::uint64_t seed = 0;
     bool noDiagnosis = false;
@@ -162,6 +162,7 @@ void addWorker(CLI::App& app) {
   command->add_option("--out", options->out)->required();
   command->add_option("--run", options->how.run);
   auto* seed = command->add_option("--seed", options->seed)->check(notAWholeNumber);
+  command->add_option("--quality", options->quality);
   command->add_option("--reveal", options->reveal);
   command->add_option("--sandbox", options->sandbox);
   command->add_flag("--no-diagnosis", options->noDiagnosis);
@@ -171,7 +172,8 @@ void addWorker(CLI::App& app) {
     how.out = options->out;
     how.reveal = *report::parseReveal(options->reveal);
     how.diagnosis = !options->noDiagnosis;
-    if (seed->count() > 0) how.seed = options->seed;
+    how.draw.quality = grading::parseQuality(options->quality);
+    if (seed->count() > 0) how.draw.seed = options->seed;
     // Tried by the parent.
     if (options->sandbox == "none") grading::isolation() = sandbox::Isolation::none;
     batch::work(target, solutionFolder(target.assignment.id), how);

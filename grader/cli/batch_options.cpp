@@ -73,6 +73,7 @@ void declare(CLI::App& app, BatchCommand& command) {
   app.add_option("--seed", command.seed,
                  "Draws other hidden scenes (default: the assignment's); one for the whole class")
       ->check(notAWholeNumber);
+  declareQuality(app, command.quality, "How closely to look");
   app.add_option("--reveal", command.reveal, "What the students' pages say of hidden scenes")
       ->check(CLI::IsMember({"none", "names", "details"}))
       ->capture_default_str();
@@ -97,7 +98,8 @@ void declare(CLI::App& app, BatchCommand& command) {
 }
 
 void finish(const CLI::App& app, BatchCommand& command) {
-  if (app.count("--seed") > 0) command.how.seed = command.seed;
+  command.how.draw.quality = grading::parseQuality(command.quality);
+  if (app.count("--seed") > 0) command.how.draw.seed = command.seed;
   if (app.count("--jobs") == 0) command.how.jobs = grading::workers();
   if (!command.shard.empty()) command.how.shard = readShard(command.shard);
   command.how.diagnosis = !command.noDiagnosis;

@@ -13,7 +13,7 @@
 namespace ggrade::cli {
 
 struct BatchCommand {
-  std::string id, out, reveal = "names", sandbox = "bwrap", shard;
+  std::string id, out, reveal = "names", sandbox = "bwrap", quality = "balanced", shard;
   std::uint64_t seed = 0;
   bool noDiagnosis = false, json = false;
   batch::BatchOptions how;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Options {
-  std::string id, out, catalogue, adopt, as, name;
+  std::string id, out, catalogue, adopt, as, name, quality = "balanced";
   std::vector<std::string> only;
   unsigned seeds = 10, jobs = grading::workers();
   std::uint64_t firstSeed = 1;
@@ -44,7 +44,7 @@ std::vector<Target> partsOf(const std::string& id) {
 std::vector<std::uint64_t> seedsOf(const Options& options, const Target& target,
                                    const fs::path& solutions) {
   std::vector<std::uint64_t> seeds;
-  if (!options.haveFirstSeed) seeds.push_back(grading::drawScenes(target, solutions, nullptr).seed);
+  if (!options.haveFirstSeed) seeds.push_back(grading::drawScenes(target, solutions).seed);
   for (std::uint64_t seed = options.firstSeed; seeds.size() < options.seeds; ++seed)
     if (seeds.empty() || seed != seeds[0]) seeds.push_back(seed);
   return seeds;
@@ -122,6 +122,7 @@ calibration::DiagnosisFigures diagnoseAll(const Options& options, const Target& 
   for (const std::string& name : options.only)
     for (const std::string& full : {name, target.id + '_' + name})
       if (catalogue.mistake(full)) how.only.push_back(full);
+  how.quality = grading::parseQuality(options.quality);
   how.jobs = options.jobs;
   how.progress = std::ref(progress);
   return calibration::measureDiagnosis(target, solutions, how);
@@ -168,6 +169,7 @@ void calibrate(const Options& options) {
     Progress progress("calibrating " + target.id);
     calibration::MeasureOptions how;
     how.seeds = seedsOf(options, target, solutions);
+    how.quality = grading::parseQuality(options.quality);
     how.jobs = options.jobs;
     how.progress = std::ref(progress);
     const auto programs =
@@ -222,6 +224,7 @@ void addCalibrate(CLI::App& app) {
                     ->add_option("--first-seed", options->firstSeed,
                                  "Seeds from here on (default: the assignment's, then 1, 2, ...)")
                     ->check(notAWholeNumber);
+  declareQuality(*command, options->quality, "How closely gradings look");
   command->add_option("--only", options->only,
                       "Names or kinds: reference, variant, mistake, pair, pictures, stub");
   command->add_option("--out", options->out, "Where the results go (default out/calibrate/ID)");

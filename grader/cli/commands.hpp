@@ -33,6 +33,9 @@ std::vector<std::string> chooseSandbox(const std::string& word);
 /// What is wrong with the text of a seed, for CLI11, which would take -1; empty: nothing.
 std::string notAWholeNumber(const std::string& text);
 
+/// `--quality` of a command that grades.
+void declareQuality(CLI::App& app, std::string& quality, const std::string& about);
+
 /// The folder that --out names, without a slash at its end. Throws UsageError with the remedy,
 /// before any work is done, unless it can be made or replaced (see grading::requireReplaceable).
 std::filesystem::path outputFolder(const std::string& named);

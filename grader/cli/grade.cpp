@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Options {
-  std::string id, upload, out, reveal = "names", sandbox = "bwrap";
+  std::string id, upload, out, reveal = "names", sandbox = "bwrap", quality = "balanced";
   std::uint64_t seed = 0;
   bool haveSeed = false, solution = false, noDiagnosis = false, json = false;
 };
@@ -55,7 +55,8 @@ void grade(const Options& options) {
       throw UsageError(fmt::format("{}: {}", upload.string(), unpacked.problem));
   }
   how.solution = options.solution;
-  if (options.haveSeed) how.seed = options.seed;
+  how.draw.quality = grading::parseQuality(options.quality);
+  if (options.haveSeed) how.draw.seed = options.seed;
   how.judgeArguments = afterDashes;
   how.diagnosis = !options.noDiagnosis;
   how.progress = std::ref(progress);
@@ -82,6 +83,7 @@ void addGrade(CLI::App& app) {
                    ->add_option("--seed", options->seed,
                                 "Draws other hidden scenes (default: the assignment's)")
                    ->check(notAWholeNumber);
+  declareQuality(*command, options->quality, "How closely to look");
   command->add_option("--reveal", options->reveal, "What the student's page says of hidden scenes")
       ->check(CLI::IsMember({"none", "names", "details"}))
       ->capture_default_str();

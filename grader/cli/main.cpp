@@ -2,6 +2,7 @@
 
 #include "assignment/assignment.hpp"
 #include "grading/program.hpp"
+#include "grading/scenes.hpp"
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
 #include "sandbox/sandbox.hpp"
@@ -101,6 +102,15 @@ std::vector<std::string> requireSandbox() {
 std::string notAWholeNumber(const std::string& text) {
   const bool digits = !text.empty() && text.find_first_not_of("0123456789") == text.npos;
   return digits ? std::string() : text + " is not a whole number from 0";
+}
+
+void declareQuality(CLI::App& app, std::string& quality, const std::string& about) {
+  app.add_option("--quality", quality,
+                 about + ": fast (a fifth less time; no scenes that are like another but for a "
+                         "change, no second run), balanced, thorough (hidden scenes drawn twice)")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(std::begin(grading::kQualities), std::end(grading::kQualities))))
+      ->capture_default_str();
 }
 
 std::vector<std::string> chooseSandbox(const std::string& word) {

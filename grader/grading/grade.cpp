@@ -212,7 +212,7 @@ Renderings renderScenes(const Target& target, const Built& built, const ScenePla
     }
     render(first++);
     shaders = {shaderFolder, {}};
-    twice = options.pictures && renderings[0].happened.ok() &&
+    twice = options.pictures && plan.quality != Quality::fast && renderings[0].happened.ok() &&
             !drawsTheReference(renderings[0], references.scenes[0], pictures);
   }
   inParallel(renderings.size() - first + twice, options.threads, [&](std::size_t i) {
@@ -366,6 +366,7 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
       options.progress ? options.progress : Progress([](const auto&, auto, auto) {});
   report::Result result = built.result;
   result.seed = plan.seed;
+  result.quality = nameOf(plan.quality);
   if (result.outcome != Outcome::graded) return result;
 
   const auto kept =
@@ -436,8 +437,7 @@ Examining diagnosing(const Target& target, const fs::path& solutionFolder,
 
 report::Result grade(const Target& target, const fs::path& solutionFolder,
                      const GradeOptions& options) {
-  const ScenePlan plan =
-      drawScenes(target, solutionFolder, options.seed ? &*options.seed : nullptr);
+  const ScenePlan plan = drawScenes(target, solutionFolder, options.draw);
   const Progress progress =
       options.progress ? options.progress : Progress([](const auto&, auto, auto) {});
   GradeOptions how = options;

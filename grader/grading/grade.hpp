@@ -27,7 +27,7 @@ struct GradeOptions {
   std::filesystem::path upload;
   bool solution =
       false; ///< `upload` is a trusted folder of solutions/, its other files are expected
-  std::optional<std::uint64_t> seed;
+  Draw draw;
   std::vector<std::string> judgeArguments; ///< GoogleTest's
   /// False for who wants scores only: the result has items but no scenes, and the public scene is
   /// not run a second time to see whether the program draws the same again.
@@ -69,8 +69,8 @@ Examining diagnosing(const Target& target, const std::filesystem::path& solution
 /// The score and the bonus that `result.items` add up to.
 void addUp(report::Result& result);
 
-/// Grades one upload once, with `options.seed`. Faults of the instructor's side (no such folder, a
-/// broken reference) are UsageErrors. Throws Interrupted.
+/// Grades one upload once, in the scenes of `options.draw`. Faults of the instructor's side (no
+/// such folder, a broken reference) are UsageErrors. Throws Interrupted.
 report::Result grade(const Target& target, const std::filesystem::path& solutionFolder,
                      const GradeOptions& options);
 

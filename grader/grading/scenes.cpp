@@ -147,59 +147,101 @@ json handoutScene(const Assignment& assignment, const Part& part, const json& se
   return scene;
 }
 
-ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder,
-                     const std::uint64_t* seed) {
+namespace {
+
+/// Draws one scene of scenes.json after another into a plan.
+class Planner {
+public:
+  Planner(const Target& target, const fs::path& path, const json& probes, ScenePlan& plan)
+      : target_(target), path_(path), probes_(probes), plan_(plan) {}
+
+  /// `round` 0, or 1 for the same scene drawn anew.
+  void add(const json& declared, std::uint64_t index, std::uint64_t round) {
+    // A generator of its own for every scene: adding one leaves the others as they were.
+    Drawer drawer(plan_.seed * 0x9e3779b97f4a7c15ull + index + (round << 32));
+    const std::vector<std::string> parts = partsOf(declared, target_);
+    // Where several parts are graded, equal names of theirs are told apart.
+    const bool prefixed = target_.parts.size() > 1 && declared.contains("parts");
+    const auto named = [&](std::string name) {
+      if (prefixed) name = fmt::format("{}: {}", fmt::join(parts, " + "), name);
+      return round > 0 ? name + ", drawn anew" : name;
+    };
+    SceneCase one;
+    one.name = named(declared.at("name"));
+    one.isPublic = declared.value("public", false);
+    one.tags = declared.value("tags", std::vector<std::string>{});
+    if (declared.contains("like")) {
+      const json change = drawer.draw(declared.value("scene", json::object()));
+      const std::string base = named(declared.at("like"));
+      const auto found = std::find_if(plan_.scenes.begin(), plan_.scenes.end(),
+                                      [&](const SceneCase& scene) { return scene.name == base; });
+      if (found == plan_.scenes.end())
+        throw UsageError(fmt::format("{}: like \"{}\": no earlier scene of these parts has that "
+                                     "name",
+                                     one.name, declared.at("like").get<std::string>()));
+      one.like = base;
+      one.times = {found->times.at(0)};
+      one.scene = found->scene;
+      one.scene.merge_patch(changed(found->scene, change, ""));
+    } else {
+      one.times = drawer.draw(declared.at("times")).get<std::vector<double>>();
+      one.scene = partScene(target_.assignment, parts);
+      one.scene.merge_patch(drawer.draw(declared.value("scene", json::object())));
+    }
+    addProbes(one);
+    checkScene(target_.assignment, one.scene, path_.string() + ", " + one.name);
+    for (const auto& [name, probe] : one.probes)
+      checkScene(target_.assignment, probe, path_.string() + ", " + one.name + ", probe " + name);
+    plan_.scenes.push_back(std::move(one));
+  }
+
+private:
+  void addProbes(SceneCase& one) const {
+    for (const json& declared : probes_) {
+      const auto tags = declared.value("tags", std::vector<std::string>{});
+      if (!tags.empty() && !shareATag(tags, one.tags)) continue;
+      json probe = one.scene;
+      probe.merge_patch(declared.at("scene"));
+      one.probes[declared.at("name")] = probe;
+    }
+  }
+
+  const Target& target_;
+  const fs::path& path_;
+  const json& probes_;
+  ScenePlan& plan_;
+};
+
+} // namespace
+
+Quality parseQuality(const std::string& name) {
+  for (const Quality quality : {Quality::fast, Quality::balanced, Quality::thorough})
+    if (name == nameOf(quality)) return quality;
+  throw UsageError(
+      fmt::format("quality \"{}\": it is one of {}", name, fmt::join(kQualities, ", ")));
+}
+
+ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder, const Draw& draw) {
   const fs::path path = solutionFolder / "scenes.json";
   const json from = readJson(path);
   try {
     ScenePlan plan;
-    plan.seed = seed ? *seed : from.at("seed").get<std::uint64_t>();
+    plan.seed = draw.seed ? *draw.seed : from.at("seed").get<std::uint64_t>();
+    plan.quality = draw.quality;
     const json probes = from.value("probes", json::array());
-    std::uint64_t index = 0;
-    for (const json& declared : from.at("scenes")) {
-      // A generator of its own for every scene: adding one leaves the others as they were.
-      Drawer drawer(plan.seed * 0x9e3779b97f4a7c15ull + ++index);
-      const std::vector<std::string> parts = partsOf(declared, target);
-      const auto graded = [&](const std::string& part) { return target.covers(part); };
-      if (!std::all_of(parts.begin(), parts.end(), graded)) continue;
-      // Where several parts are graded, equal names of theirs are told apart.
-      const bool prefixed = target.parts.size() > 1 && declared.contains("parts");
-      const auto nameOf = [&](const std::string& name, const std::vector<std::string>& of) {
-        return prefixed ? fmt::format("{}: {}", fmt::join(of, " + "), name) : name;
-      };
-      SceneCase one;
-      one.name = nameOf(declared.at("name"), parts);
-      one.isPublic = declared.value("public", false);
-      one.tags = declared.value("tags", std::vector<std::string>{});
-      if (declared.contains("like")) {
-        const json change = drawer.draw(declared.value("scene", json::object()));
-        const std::string base = nameOf(declared.at("like"), parts);
-        const auto found = std::find_if(plan.scenes.begin(), plan.scenes.end(),
-                                        [&](const SceneCase& scene) { return scene.name == base; });
-        if (found == plan.scenes.end())
-          throw UsageError(fmt::format("{}: like \"{}\": no earlier scene of these parts has that "
-                                       "name",
-                                       one.name, declared.at("like").get<std::string>()));
-        one.like = base;
-        one.times = {found->times.at(0)};
-        one.scene = found->scene;
-        one.scene.merge_patch(changed(found->scene, change, ""));
-      } else {
-        one.times = drawer.draw(declared.at("times")).get<std::vector<double>>();
-        one.scene = partScene(target.assignment, parts);
-        one.scene.merge_patch(drawer.draw(declared.value("scene", json::object())));
+    Planner planner(target, path, probes, plan);
+    const std::uint64_t rounds = draw.quality == Quality::thorough ? 2 : 1;
+    for (std::uint64_t round = 0; round < rounds; ++round) {
+      std::uint64_t index = 0;
+      for (const json& declared : from.at("scenes")) {
+        ++index;
+        const std::vector<std::string> parts = partsOf(declared, target);
+        const auto graded = [&](const std::string& part) { return target.covers(part); };
+        if (!std::all_of(parts.begin(), parts.end(), graded)) continue;
+        if (draw.quality == Quality::fast && declared.contains("like")) continue;
+        if (round > 0 && declared.value("public", false)) continue;
+        planner.add(declared, index, round);
       }
-      for (const json& declaredProbe : probes) {
-        const auto tags = declaredProbe.value("tags", std::vector<std::string>{});
-        if (!tags.empty() && !shareATag(tags, one.tags)) continue;
-        json probe = one.scene;
-        probe.merge_patch(declaredProbe.at("scene"));
-        one.probes[declaredProbe.at("name")] = probe;
-      }
-      checkScene(target.assignment, one.scene, path.string() + ", " + one.name);
-      for (const auto& [name, probe] : one.probes)
-        checkScene(target.assignment, probe, path.string() + ", " + one.name + ", probe " + name);
-      plan.scenes.push_back(std::move(one));
     }
     return plan;
   } catch (const json::exception& error) {
@@ -213,7 +255,7 @@ std::string describe(const ScenePlan& plan) {
   json all = json::array();
   for (const SceneCase& one : plan.scenes)
     all.push_back({one.name, one.isPublic, one.tags, one.times, one.scene, one.like, one.probes});
-  return fmt::format("{} {}", plan.seed, all.dump());
+  return fmt::format("{} {} {}", plan.seed, nameOf(plan.quality), all.dump());
 }
 
 } // namespace ggrade::grading

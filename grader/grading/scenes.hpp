@@ -6,8 +6,32 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 
 namespace ggrade::grading {
+
+/// How closely a grading looks, for the time that it takes: `ggrade calibrate --quality` measures
+/// both.
+enum class Quality {
+  fast,     ///< no scenes that are like another one but for a change, and no second run
+  balanced, ///< all of scenes.json
+  thorough, ///< every hidden scene twice, drawn anew
+};
+
+inline constexpr const char* kQualities[] = {"fast", "balanced", "thorough"};
+inline std::string nameOf(Quality quality) {
+  return kQualities[std::size_t(quality)];
+}
+/// Throws UsageError for another name.
+Quality parseQuality(const std::string& name);
+
+/// What a plan is drawn by.
+struct Draw {
+  std::optional<std::uint64_t> seed; ///< none: the assignment's own
+  Quality quality = Quality::balanced;
+
+  bool operator==(const Draw&) const = default;
+};
 
 /// One scene to render, fully drawn: no random choice is left in it.
 struct SceneCase {
@@ -25,6 +49,7 @@ struct SceneCase {
 
 struct ScenePlan {
   std::uint64_t seed = 0;
+  Quality quality = Quality::balanced;
   std::vector<SceneCase> scenes;
 };
 
@@ -38,7 +63,7 @@ struct ScenePlan {
 /// same plan on every machine. Throws UsageError, also for a scene outside of what assignment.json
 /// declares.
 ScenePlan drawScenes(const Target& target, const std::filesystem::path& solutionFolder,
-                     const std::uint64_t* seed);
+                     const Draw& draw = {});
 
 /// All of a plan as text: equal texts are equal plans.
 std::string describe(const ScenePlan& plan);

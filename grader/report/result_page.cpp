@@ -114,7 +114,10 @@ Data factsOf(const Result& result, const Audience& audience) {
   std::vector<std::pair<std::string, std::string>> run = {
       {"part", result.assignment + " / " + result.part},
       {"outcome", std::string(name(result.outcome))}};
-  if (audience.instructor) run.emplace_back("seed", std::to_string(result.seed));
+  if (audience.instructor) {
+    run.emplace_back("seed", std::to_string(result.seed));
+    if (!result.quality.empty()) run.emplace_back("quality", result.quality);
+  }
   run.emplace_back("sandbox", result.sandbox);
   std::vector<std::pair<std::string, std::string>> times, tolerances;
   for (const Timing& timing : result.timings)

@@ -140,6 +140,7 @@ struct Result {
   std::vector<std::pair<std::string, double>>
       thresholds; ///< the comparison's tolerances, published
   std::uint64_t seed = 0;
+  std::string quality; ///< how closely the grading looked: fast, balanced or thorough
   std::string sandbox; ///< "bwrap" or "none"
   std::vector<std::pair<std::string, std::string>>
       fingerprint; ///< renderer, compiler, tool version, pins

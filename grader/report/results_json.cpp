@@ -82,6 +82,7 @@ Json extraData(const Result& result) {
                {"bonus", value(result.bonus)},
                {"max_score", value(result.maxScore)},
                {"seed", result.seed},
+               {"quality", result.quality},
                {"sandbox", sanitizeLine(result.sandbox)},
                {"fingerprint", Json::object()},
                {"thresholds", Json::object()},

@@ -32,7 +32,7 @@ TEST(BatchState, ComesBackAsItWas) {
   EXPECT_FALSE(batch::loadState(out.path()));
   batch::State state;
   state.target = "mirror";
-  state.seed = 7;
+  state.draw = {7, grading::Quality::fast};
   state.work = "/tmp/.ggrade-abc";
   state.run = 4;
   state.before = {{"s1", 80.5}, {"学生", 0}};
@@ -40,7 +40,7 @@ TEST(BatchState, ComesBackAsItWas) {
   const auto back = batch::loadState(out.path());
   ASSERT_TRUE(back);
   EXPECT_EQ(back->target, "mirror");
-  EXPECT_EQ(back->seed, 7U);
+  EXPECT_EQ(back->draw, state.draw);
   EXPECT_EQ(back->work, state.work);
   EXPECT_EQ(back->run, 4U);
   EXPECT_FALSE(back->isFinished);

@@ -8,7 +8,10 @@
 #include <set>
 
 using namespace ggrade;
+using grading::Draw;
 using grading::drawScenes;
+using grading::Quality;
+using grading::SceneCase;
 using grading::ScenePlan;
 using nlohmann::json;
 using testing::AllOf;
@@ -22,9 +25,9 @@ namespace {
 /// Plans for the floor's part `mirror` from a scenes.json of the test's own.
 class Scenes : public testing::Test {
 protected:
-  ScenePlan draw(const json& scenes, const std::uint64_t* seed = nullptr) {
+  ScenePlan draw(const json& scenes, const Draw& how = {}) {
     files_.write("scenes.json", scenes.dump(1));
-    return drawScenes(target_, files_.path(), seed);
+    return drawScenes(target_, files_.path(), how);
   }
   std::string problem(const json& scenes) {
     return messageOf<UsageError>([&] { draw(scenes); });
@@ -48,9 +51,9 @@ TEST_F(Scenes, TheSameSeedDrawsTheSamePlan) {
   for (int i = 0; i < 2; ++i) EXPECT_EQ(one.scenes[i].scene, two.scenes[i].scene);
   // Scenes don't share their draws.
   EXPECT_NE(one.scenes[0].scene["light"]["position"], one.scenes[1].scene["light"]["position"]);
-  const std::uint64_t other = 6;
-  EXPECT_EQ(draw(scenes, &other).seed, 6u);
-  EXPECT_NE(draw(scenes, &other).scenes[0].scene, one.scenes[0].scene);
+  const Draw other{6};
+  EXPECT_EQ(draw(scenes, other).seed, 6u);
+  EXPECT_NE(draw(scenes, other).scenes[0].scene, one.scenes[0].scene);
 }
 
 TEST_F(Scenes, DrawsAreTheSameOnEveryMachine) {
@@ -75,7 +78,7 @@ TEST_F(Scenes, BetweenStaysInsideAndReachesBothEnds) {
                                                    {{"count", {{"between", {2, 4}}}},
                                                     {"radius", {{"between", {1.25, 1.5}}}},
                                                     {"hop", {{"choose", {0.5, 0.75}}}}}}})}),
-                                &seed);
+                                {seed});
     const json& ring = plan.scenes[0].scene["ring"];
     counts.insert(ring["count"].get<int>());
     EXPECT_TRUE(ring["count"].is_number_integer());
@@ -169,6 +172,35 @@ TEST_F(Scenes, OneLikeAnotherHasItsDrawsAndWhatChanged) {
               HasSubstr("size: 3 values where the scene that it is like has 2"));
   EXPECT_THAT(problem(file({whole(scene("a", kLight)), like({{"size", {{"plus", {-300, 0}}}}})})),
               HasSubstr("size")); // checked like every scene
+}
+
+TEST_F(Scenes, QualityLeavesOutOrDrawsAnew) {
+  const json light = {
+      {"light", {{"position", {{"between", {{-1.5, 2.5, 3.0}, {1.5, 4.5, 3.0}}}}}}}};
+  json open = scene("open", light), changed = scene("changed", {{"camera", {{"fov", 0.5}}}});
+  open["public"] = true;
+  changed.erase("times");
+  changed["like"] = "hidden";
+  const json scenes = file({open, scene("hidden", light), changed});
+  const auto names = [&](Quality quality) {
+    std::vector<std::string> all;
+    for (const SceneCase& one : draw(scenes, {std::nullopt, quality}).scenes)
+      all.push_back(one.name);
+    return all;
+  };
+  EXPECT_THAT(names(Quality::fast), ElementsAre("open", "hidden"));
+  EXPECT_THAT(names(Quality::balanced), ElementsAre("open", "hidden", "changed"));
+  EXPECT_THAT(names(Quality::thorough), ElementsAre("open", "hidden", "changed",
+                                                    "hidden, drawn anew", "changed, drawn anew"));
+  // What is drawn at several qualities is drawn alike, and what is drawn anew is something else.
+  const ScenePlan fast = draw(scenes, {std::nullopt, Quality::fast}),
+                  thorough = draw(scenes, {std::nullopt, Quality::thorough});
+  EXPECT_EQ(fast.scenes[1].scene, thorough.scenes[1].scene);
+  EXPECT_NE(thorough.scenes[1].scene, thorough.scenes[3].scene);
+  EXPECT_EQ(thorough.scenes[4].like, "hidden, drawn anew");
+  EXPECT_EQ(thorough.scenes[4].scene["light"], thorough.scenes[3].scene["light"]);
+  EXPECT_NE(describe(draw(scenes)), describe(draw(scenes, {std::nullopt, Quality::fast})));
+  EXPECT_THROW(grading::parseQuality("quick"), UsageError);
 }
 
 TEST_F(Scenes, MistakesNameTheFile) {
