@@ -97,6 +97,28 @@ KeyDeclaration readKey(const std::string& name, const std::string& path, const j
   return key;
 }
 
+// The settings of one preset.
+Declarations::Preset readPreset(const std::string& name, const std::string& preset,
+                                const json& source,
+                                const std::map<std::string, KeyDeclaration, std::less<>>& keys) {
+  const auto refuse = [&](const std::string& what) {
+    throw SceneError(fmt::format("{}: presets.{}: {}", name, preset, what));
+  };
+  if (!source.is_object()) refuse("must be an object of quality keys and their values");
+  Declarations::Preset settings;
+  for (const auto& [path, value] : source.items()) {
+    const auto key = keys.find(path);
+    if (key == keys.end() || !path.starts_with("quality."))
+      refuse(fmt::format("\"{}\" is no declared key of quality", path));
+    const auto converted = detail::convert(key->second, valueOf(value));
+    if (!converted)
+      refuse(fmt::format("{} must be {}, but is {}", path, Declarations::describe(key->second),
+                         value.dump()));
+    settings.emplace(path, *converted);
+  }
+  return settings;
+}
+
 // Number of single-character edits between two words (Levenshtein 1966).
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -169,6 +191,10 @@ Declarations Declarations::fromText(std::string_view text, const std::string& na
     if (next != result.keys_.end() && next->first.starts_with(path + "."))
       fail(name, next->first, fmt::format("\"{}\" is a value, so it can't hold others", path));
   }
+  const json presets = assignment.value("presets", json::object());
+  if (!presets.is_object()) throw SceneError(name + ": presets: must be an object");
+  for (const auto& [preset, settings] : presets.items())
+    result.presets_.emplace(preset, readPreset(name, preset, settings, result.keys_));
   return result;
 }
 

@@ -34,11 +34,32 @@ bool isPrefix(const Declarations& declarations, const std::string& path) {
   return next != declarations.keys().end() && next->first.starts_with(path + ".");
 }
 
+// The settings of the preset that `"quality": NAME` or `"quality": { "preset": NAME }` asks for.
+const Declarations::Preset& presetNamed(const Declarations& declarations,
+                                        const detail::JsonEntry& entry,
+                                        const Positions& positions) {
+  const auto& presets = declarations.presets();
+  std::string names;
+  for (const auto& [name, unused] : presets) names += (names.empty() ? "" : ", ") + name;
+  if (names.empty()) positions.fail(entry.path, "this assignment has no presets");
+  const auto found = presets.find(entry.value.text);
+  if (entry.value.kind != detail::JsonValue::Kind::text || found == presets.end())
+    positions.fail(entry.path,
+                   fmt::format("must be a preset ({}), but is {}", names, entry.value.shown));
+  return found->second;
+}
+
 Values readValues(std::string_view text, const std::string& name, const Declarations& declarations,
                   Positions& positions) {
   Values values;
+  Declarations::Preset preset;
   for (const detail::JsonEntry& entry : detail::readJson(text, name)) {
     positions.add(entry.path, entry.line);
+    const bool text = entry.value.kind == detail::JsonValue::Kind::text;
+    if (entry.path == "quality.preset" || (entry.path == "quality" && text)) {
+      preset = presetNamed(declarations, entry, positions);
+      continue;
+    }
     const auto known = declarations.keys().find(entry.path);
     if (known == declarations.keys().end()) {
       if (!isPrefix(declarations, entry.path)) {
@@ -62,6 +83,10 @@ Values readValues(std::string_view text, const std::string& name, const Declarat
   }
   for (const auto& [path, key] : declarations.keys()) {
     if (values.contains(path)) continue;
+    if (const auto set = preset.find(path); set != preset.end()) {
+      values.emplace(path, set->second);
+      continue;
+    }
     if (!key.hasDefault)
       positions.fail(path, fmt::format("is missing; it must be {}", Declarations::describe(key)));
     values.emplace(path, key.defaultValue);

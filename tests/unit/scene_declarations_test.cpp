@@ -73,6 +73,25 @@ TEST(Declarations, MaterialsAreNames) {
               "assignment.json: materials: must be names without a dot");
 }
 
+TEST(Declarations, APresetIsOfDeclaredQualityKeys) {
+  const auto problem = [](const std::string& presets) {
+    return messageFor(
+        "{ \"scene\": { \"quality.size\": { \"type\": \"integer\", \"range\": [1, 8] }, "
+        "\"ring\": { \"type\": \"text\" } }, \"presets\": " +
+        presets + " }");
+  };
+  EXPECT_EQ(problem("[]"), "assignment.json: presets: must be an object");
+  EXPECT_EQ(problem("{ \"fast\": 1 }"), "assignment.json: presets.fast: must be an object of "
+                                        "quality keys and their values");
+  EXPECT_EQ(problem("{ \"fast\": { \"quality.sise\": 1 } }"),
+            "assignment.json: presets.fast: \"quality.sise\" is no declared key of quality");
+  EXPECT_EQ(problem("{ \"fast\": { \"ring\": \"x\" } }"),
+            "assignment.json: presets.fast: \"ring\" is no declared key of quality");
+  EXPECT_EQ(problem("{ \"fast\": { \"quality.size\": 9 } }"),
+            "assignment.json: presets.fast: quality.size must be a whole number between 1 "
+            "and 8, but is 9");
+}
+
 TEST(Declarations, AFileThatIsNotJsonIsNamed) {
   EXPECT_THAT(messageFor("{"), testing::StartsWith("assignment.json: is not valid JSON: "));
   EXPECT_EQ(messageFor("[]"), "assignment.json: must be an object: { ... }");

@@ -56,6 +56,49 @@ TEST(Scene, NumbersKeepDoublePrecision) {
   EXPECT_EQ(scene.real("ring.radius"), 0.1f);
 }
 
+const std::string kWithPresets = R"({
+  "materials": ["object"],
+  "scene": {
+    "quality.size": { "type": "integer", "range": [1, 4096], "default": 1024 },
+    "quality.taps": { "type": "integer", "range": [1, 64], "default": 4 },
+    "ring.radius": { "type": "real", "range": [0, 1e7] }
+  },
+  "presets": {
+    "fast": { "quality.size": 256 },
+    "accurate": { "quality.size": 2048, "quality.taps": 16 }
+  }
+})";
+
+Scene readWithPresets(const std::string& quality) {
+  return Scene::fromText(
+      sampleSceneWith("\"ring\": {", "\"quality\": " + quality + ",\n  \"ring\": {"), "scene.json",
+      gg::Declarations::fromText(kWithPresets, "assignment.json"));
+}
+
+TEST(Scene, APresetSetsQualityAndWhatStandsBesideItWins) {
+  const auto sizeAndTaps = [](const std::string& quality) {
+    const Scene scene = readWithPresets(quality);
+    return std::pair(scene.integer("quality.size"), scene.integer("quality.taps"));
+  };
+  EXPECT_EQ(sizeAndTaps("{}"), std::pair(1024, 4));
+  EXPECT_EQ(sizeAndTaps("\"fast\""), std::pair(256, 4)); // the rest has its default
+  EXPECT_EQ(sizeAndTaps("\"accurate\""), std::pair(2048, 16));
+  EXPECT_EQ(sizeAndTaps("{ \"preset\": \"accurate\", \"taps\": 2 }"), std::pair(2048, 2));
+  EXPECT_EQ(sizeAndTaps("{ \"taps\": 2, \"preset\": \"accurate\" }"), std::pair(2048, 2));
+}
+
+TEST(Scene, AnUnknownPresetIsNamedWithThoseThereAre) {
+  const auto problem = [](const std::string& quality) {
+    return messageOf<gg::SceneError>([&] { readWithPresets(quality); });
+  };
+  EXPECT_EQ(problem("\"quick\""),
+            "scene.json:18: quality: must be a preset (accurate, fast), but is \"quick\"");
+  EXPECT_EQ(problem("{ \"preset\": 3 }"),
+            "scene.json:18: quality.preset: must be a preset (accurate, fast), but is 3");
+  EXPECT_EQ(messageWith("\"ring\": {", "\"quality\": \"fast\",\n  \"ring\": {"),
+            "scene.json:18: quality: this assignment has no presets");
+}
+
 TEST(Scene, AValueOfAnotherTypeIsNamedWithLineKeyAndWhatIsAllowed) {
   EXPECT_EQ(messageWith("\"fov\": 0.5", "\"fov\": \"wide\""),
             "scene.json:5: camera.fov: must be a number between 0.01 and 3.1, but is \"wide\"");

@@ -36,6 +36,12 @@ struct KeyDeclaration {
 /// \endcode
 /// `type` is boolean, integer, real or text; numbers need a `range`, both ends allowed; a key
 /// without `default` must be in the scene.
+///
+/// Presets are settings of several `quality` keys under one name: \code
+///   "presets": { "fast": { "quality.shadow_size": 512, "quality.pcf_radius": 0 } }
+/// \endcode
+/// A scene asks for one with `"quality": "fast"`, or with `"quality": { "preset": "fast", ... }`,
+/// where the values beside it win.
 class Declarations {
 public:
   /// The keys of every scene, with the given materials and no key of an assignment's own.
@@ -49,6 +55,8 @@ public:
 
   const std::map<std::string, KeyDeclaration, std::less<>>& keys() const { return keys_; }
   const std::vector<std::string>& materials() const { return materials_; }
+  using Preset = std::map<std::string, SceneValue, std::less<>>;
+  const std::map<std::string, Preset, std::less<>>& presets() const { return presets_; }
 
   /// The known key that is spelled most like `key`; empty if none is near.
   std::string nearest(std::string_view key) const;
@@ -59,6 +67,7 @@ public:
 private:
   std::map<std::string, KeyDeclaration, std::less<>> keys_;
   std::vector<std::string> materials_;
+  std::map<std::string, Preset, std::less<>> presets_;
 };
 
 } // namespace gg
