@@ -1,0 +1,113 @@
+#pragma once
+// The floor's scene in double precision, asked by rays: nothing of it is rasterised, and nothing
+// but the scene file and the meshes' vertices is taken from the program that is judged.
+
+#include "truth/blur.hpp"
+#include "truth/ray.hpp"
+#include "truth/truth.hpp"
+
+#include <glm/mat3x3.hpp>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace floor_truth {
+
+using namespace ggrade;
+using glm::dvec3;
+using nlohmann::json;
+
+inline constexpr int kNothing = -1; ///< the background
+inline constexpr int kFloor = 0;    ///< objects count from 1
+
+/// What a ray meets first.
+struct Surface {
+  int id = kNothing;
+  dvec3 position{0}; ///< world space
+  dvec3 normal{0};   ///< interpolated, unit length
+  dvec3 face{0};     ///< of the flat triangle, unit length
+};
+
+/// What a pixel shows.
+struct Seen {
+  Surface surface;
+  dvec3 toEye{0};      ///< from the surface, unit length
+  Surface reflected;   ///< what a mirror in the plane of the floor shows at this pixel
+  dvec3 reflection{0}; ///< its light; the background's where there is nothing
+};
+
+/// The scene at one time, in a window of `width` x `height` pixels.
+class World {
+public:
+  /// Throws nlohmann::json::exception where the scene lacks a key, gg::FileError for its mesh.
+  World(const json& scene, double time, int width, int height);
+
+  int width, height;
+  bool mirror, shadow, bloom; ///< the effects
+  dvec3 background, light;    ///< position of the light
+  dvec3 floorSpecular;        ///< what the floor reflects
+
+  /// Through the centre of a pixel, row 0 on top.
+  Seen seen(int x, int y) const;
+  /// Blinn-Phong by the light; the floor without its reflection.
+  ///   visible: how much of the light arrives, 0 to 1
+  dvec3 color(const Surface& surface, const dvec3& toEye, double visible) const;
+  /// Does an object stand between it and the light? The floor hides nothing from the light, as in
+  /// the lecture.
+  bool inShadow(const Surface& surface) const;
+  /// As much light as the scene lets arrive: all of it where shadows are off.
+  double visibility(const Surface& surface) const { return shadow && inShadow(surface) ? 0 : 1; }
+  /// The light of a pixel. In a scene without bloom a reflection is at most 1, as its texture and
+  /// the window are; with bloom nothing is cut off.
+  dvec3 shown(const Seen& seen, double visible) const;
+
+  /// Where objects can be at any time: middle and radius of a ball.
+  dvec3 ballMiddle;
+  double ballRadius;
+
+private:
+  struct Material {
+    dvec3 ambient, diffuse, specular; ///< times the light's
+    double shininess;
+  };
+  Material material(const json& scene, const char* name) const;
+  /// The first object on a ray; behind `from`, in lengths of `direction`.
+  Surface object(const dvec3& origin, const dvec3& direction, double from, double to) const;
+
+  dvec3 eye_, forward_, right_, up_; ///< right and up to the picture's edge at distance 1
+  double near_, far_;
+  Material object_, floor_;
+  double glow_, tilesPerUnit_, halfWidth_, halfDepth_;
+  std::vector<std::uint32_t> indices_;
+  std::vector<std::vector<dvec3>> normals_; ///< world space, by object and vertex
+  std::unique_ptr<truth::RayScene> rays_;
+};
+
+/// Every pixel, row by row.
+std::vector<Seen> look(const World& world);
+
+/// Do two neighbouring pixels show the same smooth piece of a surface?
+bool continues(const Surface& a, const Surface& b);
+
+/// What a picture of the scene depends on, as a key: all but how well it is drawn.
+std::string keyOf(const truth::Rendered& rendered);
+
+/// `make(rendered)`, kept for the scenes that were asked for last. Not for several threads.
+template <class Made, class Make>
+std::shared_ptr<const Made> kept(const truth::Rendered& rendered, Make make) {
+  constexpr std::size_t kMost = 8;
+  static std::map<std::string, std::shared_ptr<const Made>> all;
+  const std::string key = keyOf(rendered);
+  if (const auto found = all.find(key); found != all.end()) return found->second;
+  if (all.size() == kMost) all.clear();
+  return all[key] = std::make_shared<const Made>(make(rendered));
+}
+
+/// 0 to 1, as a window shows it.
+dvec3 cut(const dvec3& light);
+/// A difference as people can see it: four times as strong.
+Image shownDifference(const Image& a, const Image& b);
+
+} // namespace floor_truth

@@ -1,0 +1,116 @@
+// The reference's pictures against the truth at the settings that it has by default.
+
+#include "truth/truth.hpp"
+
+#include "../../unit/framework_temporary_folder.hpp"
+#include "grading/overlay.hpp"
+#include "grading/program.hpp"
+#include "grading/scenes.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <filesystem>
+#include <iostream>
+
+using namespace ggrade;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kSource = GGRADE_SOURCE_DIR;
+
+const Assignment& assignment() {
+  static const Assignment loaded = Assignment::load(kSource / "assignments/floor");
+  return loaded;
+}
+
+/// The reference, built once for all tests of a process.
+class Reference {
+public:
+  Reference() {
+    grading::overlay(assignment(), kSource / "solutions/floor", folder_.path());
+    const grading::Happened built =
+        grading::buildProgram("floor", folder_.path(), sandbox::Isolation::none);
+    if (!built.ok()) throw std::runtime_error(built.output);
+  }
+  grading::Rendering render(const json& scene, double time) const {
+    trace::Request request{};
+    request.passes = 1;
+    request.copies = 1u | 1u << trace::kDepth;
+    request.copyFrames = 1;
+    request.copyBytes = std::uint64_t{512} << 20;
+    return grading::renderScene("floor", folder_.path(), scene, {time}, {},
+                                sandbox::Isolation::none, request);
+  }
+
+private:
+  TemporaryFolder folder_;
+};
+
+/// What a part's truth says about the reference in the part's scene with `change`.
+class Truth : public testing::Test {
+protected:
+  truth::Answer ask(const std::string& part, const json& change = json::object(),
+                    double time = 0.4) {
+    static const Reference reference;
+    json scene = readJson(kSource / "assignments/floor/scene.json");
+    for (const Part& one : assignment().parts)
+      if (one.id == part) scene.merge_patch(one.scene);
+    scene.merge_patch(change);
+    const grading::Rendering rendering = reference.render(scene, time);
+    if (rendering.happened.outcome != report::Outcome::graded)
+      throw std::runtime_error(rendering.happened.detail);
+    const channel::CapturedFrame& frame = rendering.capture.frames.at(0);
+    const truth::Answer answer = truth::judgeOf(part)(
+        {scene, time, Image::fromBytes(frame.pixels, int(frame.width), int(frame.height)),
+         &rendering.capture.trace});
+    for (const truth::Error& error : answer.errors) {
+      std::cout << part << " " << change.dump() << " at " << time << " s: " << error.name << " "
+                << error.value << "\n";
+      // Into the results as well: figures that can be looked up later.
+      RecordProperty(error.name, std::to_string(error.value));
+    }
+    return answer;
+  }
+  static double error(const truth::Answer& answer, const std::string& name) {
+    for (const truth::Error& one : answer.errors)
+      if (one.name == name) return one.value;
+    ADD_FAILURE() << "no error is named " << name;
+    return std::nan("");
+  }
+};
+
+TEST_F(Truth, MirrorIsWithinOnePercent) {
+  for (const double time : {0.0, 0.4, 1.3}) {
+    const truth::Answer answer = ask("mirror", json::object(), time);
+    EXPECT_LE(error(answer, "reflection RMSE"), 0.01);
+  }
+}
+
+TEST_F(Truth, ShadowsAreWithinHalfAPercent) {
+  for (const double time : {0.0, 0.4, 1.3}) {
+    const truth::Answer answer = ask("shadow", json::object(), time);
+    EXPECT_LT(error(answer, "false shadow"), 0.005);
+    EXPECT_LT(error(answer, "false light"), 0.005);
+  }
+}
+
+TEST_F(Truth, ShadowsOfGrazingLightAreWithinHalfAPercent) {
+  for (const double time : {0.0, 0.4, 1.3}) {
+    const truth::Answer answer = ask("shadow", {{"light", {{"position", {6, 1.7, 2}}}}}, time);
+    EXPECT_LT(error(answer, "false shadow"), 0.005);
+    EXPECT_LT(error(answer, "false light"), 0.005);
+  }
+}
+
+TEST_F(Truth, BloomIsWithinOnePercent) {
+  for (const double time : {0.0, 0.4}) {
+    const truth::Answer answer = ask("bloom", json::object(), time);
+    EXPECT_LE(error(answer, "bloom relative error"), 0.01);
+    EXPECT_LE(error(answer, "energy"), 0.01);
+  }
+}
+
+} // namespace
