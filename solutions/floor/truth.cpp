@@ -58,7 +58,7 @@ Mirror trace(const truth::Rendered& rendered) {
       const std::size_t i = std::size_t(y) * std::size_t(world.width) + std::size_t(x);
       all[i].reflection = reflection.pixels[i];
       picture.pixels[i] = cut(world.shown(all[i], world.visibility(all[i].surface)));
-      if (all[i].surface.id != kFloor) continue;
+      if (all[i].surface.id != kFloor || world.onTileLine(all[i].surface)) continue;
       made.floor.set(x, y);
       made.inner.set(x, y, isInner(world, all, x, y));
     }
@@ -81,6 +81,8 @@ double rmse(const Image& found, const Image& wanted, const Mask& where) {
 ///   reflection RMSE  over the pixels of the floor, but for a band of one pixel at the edges of the
 ///                    floor and of the objects that it reflects
 ///   edge RMSE        over all pixels of the floor
+/// Light without a reflection and shadows are the program's own, so their errors count, too; ask in
+/// a scene without shadows. A pixel right on the line between two tiles counts nowhere.
 truth::Answer judge(const truth::Rendered& rendered) {
   const auto mirror = kept<Mirror>(rendered, trace);
   truth::Answer answer;

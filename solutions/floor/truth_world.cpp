@@ -179,6 +179,14 @@ bool World::inShadow(const Surface& surface) const {
   return rays_->occluded(surface.position + lift * surface.face, toLight / distance, distance);
 }
 
+bool World::onTileLine(const Surface& surface) const {
+  const auto near = [&](double along) {
+    const double tiles = along * tilesPerUnit_;
+    return std::abs(tiles - std::round(tiles)) < 1e-5 * std::max(std::abs(tiles), 1.0);
+  };
+  return surface.id == kFloor && (near(surface.position.x) || near(surface.position.z));
+}
+
 dvec3 World::shown(const Seen& seen, double visible) const {
   dvec3 all = color(seen.surface, seen.toEye, visible);
   if (mirror && seen.surface.id == kFloor) all += floorSpecular * seen.reflection;

@@ -59,6 +59,9 @@ public:
   bool inShadow(const Surface& surface) const;
   /// As much light as the scene lets arrive: all of it where shadows are off.
   double visibility(const Surface& surface) const { return shadow && inShadow(surface) ? 0 : 1; }
+  /// Does the line between two tiles go through this very point? Then rounding decides which tile
+  /// it belongs to.
+  bool onTileLine(const Surface& surface) const;
   /// The light of a pixel. In a scene without bloom a reflection is at most 1, as its texture and
   /// the window are; with bloom nothing is cut off.
   dvec3 shown(const Seen& seen, double visible) const;

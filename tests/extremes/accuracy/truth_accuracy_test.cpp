@@ -113,4 +113,66 @@ TEST_F(Truth, BloomIsWithinOnePercent) {
   }
 }
 
+// The lower bound: the truth can tell what is known to be worse, by the same numbers.
+
+TEST_F(Truth, TellsACoarseMirror) {
+  EXPECT_GT(error(ask("mirror", {{"quality", {{"mirror_size", 64}}}}), "reflection RMSE"), 0.02);
+}
+
+TEST_F(Truth, TellsAMirrorThatDoesNotClip) {
+  const json sunk = {{"ring", {{"base", -0.4}, {"hop", 0}}}};
+  EXPECT_LE(error(ask("mirror", sunk), "reflection RMSE"), 0.01);
+  json unclipped = sunk;
+  unclipped["quality"]["mirror_clip"] = 0;
+  EXPECT_GT(error(ask("mirror", unclipped), "reflection RMSE"), 0.02);
+}
+
+TEST_F(Truth, BlurComesNearerWithMoreSamples) {
+  double last = 1;
+  for (const int samples : {1, 4, 16, 64, 256}) {
+    const json change = {{"mirror", {{"blur", 0.01}}}, {"quality", {{"blur_samples", samples}}}};
+    const double now = error(ask("mirror", change), "reflection RMSE");
+    EXPECT_LT(now, last) << samples;
+    last = now;
+  }
+  EXPECT_LT(last, 0.003);
+}
+
+TEST_F(Truth, TellsShadowsWithoutABias) {
+  const json none = {{"quality", {{"shadow_bias", 0}}}};
+  EXPECT_GT(error(ask("shadow", none), "false shadow"), 0.02);
+}
+
+TEST_F(Truth, ShadowsComeNearerWithAFinerMap) {
+  double last = 1;
+  for (const int size : {128, 512, 2048}) {
+    const double now = error(ask("shadow", {{"quality", {{"shadow_size", size}}}}), "wrong pixels");
+    EXPECT_LT(now, last / 2) << size;
+    last = now;
+  }
+}
+
+TEST_F(Truth, FloatsHoldTheBloomOfEveryFilterExactly) {
+  for (int filter = 0; filter < 4; ++filter)
+    for (int edge = 0; edge < 2; ++edge) {
+      const json change = {
+          {"size", {165, 91}},
+          {"quality", {{"bloom_filter", filter}, {"bloom_edge", edge}, {"bloom_format", 3}}}};
+      const truth::Answer answer = ask("bloom", change);
+      EXPECT_LE(error(answer, "bloom relative error"), 1e-4);
+      EXPECT_LE(error(answer, "window RMSE"), 0.002);
+    }
+}
+
+TEST_F(Truth, TellsFormatsAndLevelsOfBloom) {
+  const auto difference = [&](const char* key, int value) {
+    return error(ask("bloom", {{"quality", {{key, value}}}}),
+                 "difference from the exact Gaussians");
+  };
+  EXPECT_EQ(difference("bloom_format", 0), 1) << "8 bits hold no light beyond 1";
+  EXPECT_GT(difference("bloom_format", 1), 2 * difference("bloom_format", 2));
+  EXPECT_GT(difference("bloom_levels", 2), difference("bloom_levels", 4));
+  EXPECT_GT(difference("bloom_levels", 4), difference("bloom_levels", 6));
+}
+
 } // namespace
