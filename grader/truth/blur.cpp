@@ -85,7 +85,7 @@ Axis areaUp(int from, int to, Edge edge) {
   for (int i = 0; i < to; ++i) {
     const double low = i * ratio, high = low + ratio;
     // Source pixel j has its tent about j + 0.5, one to each side.
-    for (int j = int(std::floor(low - 1.5)); j <= std::ceil(high + 0.5); ++j)
+    for (int j = int(std::floor(low - 0.5)); j < std::ceil(high + 0.5); ++j)
       axis.shares[std::size_t(i)].push_back(
           {inside(j, from, edge), tentArea(low - j - 0.5, high - j - 0.5) / ratio});
   }

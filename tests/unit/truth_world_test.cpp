@@ -88,6 +88,15 @@ TEST(TruthWorld, ABoxShadowsThePolygonOfItsProjectedCorners) {
   }
 }
 
+TEST(TruthWorld, WhatLiesBehindTheLightShadesNothing) {
+  json scene = sceneWith(kBox);
+  scene["light"]["position"] = {0, 2, 0.3};
+  scene["ring"]["base"] = 3;
+  EXPECT_FALSE(World(scene, 0, 64, 48).inShadow(floorAt(0.1, 0.2)));
+  scene["ring"]["base"] = 0.5;
+  EXPECT_TRUE(World(scene, 0, 64, 48).inShadow(floorAt(0.1, 0.2)));
+}
+
 TEST(TruthWorld, AReflectionLiesWhereTheMirroredPointDoes) {
   json scene = sceneWith();
   scene["effects"]["mirror"] = true;

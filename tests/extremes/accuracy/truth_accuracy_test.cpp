@@ -120,7 +120,7 @@ TEST_F(Truth, TellsACoarseMirror) {
 }
 
 TEST_F(Truth, TellsAMirrorThatDoesNotClip) {
-  const json sunk = {{"ring", {{"base", -0.4}, {"hop", 0}}}};
+  const json sunk = {{"ring", {{"base", -0.7}, {"hop", 0}}}};
   EXPECT_LE(error(ask("mirror", sunk), "reflection RMSE"), 0.01);
   json unclipped = sunk;
   unclipped["quality"]["mirror_clip"] = 0;
