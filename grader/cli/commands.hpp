@@ -49,6 +49,7 @@ void addMerge(CLI::App& app);
 void addWorker(CLI::App& app);
 void addDemo(CLI::App& app);
 void addCalibrate(CLI::App& app);
+void addTradeoff(CLI::App& app);
 void addDerive(CLI::App& app);
 void addJudge(CLI::App& app);
 

@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
   addWorker(app);
   addDemo(app);
   addCalibrate(app);
+  addTradeoff(app);
   addDerive(app);
   addJudge(app);
   // Not CLI11's own `--`, which gives the next word to whatever positional is still open.

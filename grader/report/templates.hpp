@@ -18,6 +18,8 @@ extern const std::string_view k_inspect_js;
 extern const std::string_view k_inspect_js_sha256;
 extern const std::string_view k_calibration_mustache;
 extern const std::string_view k_calibration_css;
+extern const std::string_view k_tradeoff_mustache;
+extern const std::string_view k_tradeoff_css;
 extern const std::string_view k_class_mustache;
 extern const std::string_view k_class_css;
 extern const std::string_view k_class_js;

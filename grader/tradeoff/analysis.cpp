@@ -1,0 +1,204 @@
+#include "tradeoff/analysis.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace ggrade::tradeoff {
+
+namespace {
+
+double quantile(const std::vector<double>& sorted, double share) {
+  const double at = share * double(sorted.size() - 1);
+  const std::size_t below = std::size_t(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (at - double(below)) * (sorted[above] - sorted[below]);
+}
+
+/// Where the curve of the front bends most: the point farthest below the line that joins its ends,
+/// in logarithms of time and error that are scaled to 0 to 1.
+std::size_t kneeOf(const std::vector<Point>& points, const std::vector<std::size_t>& front) {
+  const Point &first = points[front.front()], &last = points[front.back()];
+  const auto logs = [](double value) { return std::log(std::max(value, 1e-9)); };
+  const double x0 = logs(first.ms.median), x1 = logs(last.ms.median);
+  const double y0 = logs(first.error()), y1 = logs(last.error());
+  std::size_t knee = front.front();
+  double most = 0;
+  for (std::size_t index : front) {
+    const double x = x1 > x0 ? (logs(points[index].ms.median) - x0) / (x1 - x0) : 0;
+    const double y = y1 < y0 ? (logs(points[index].error()) - y1) / (y0 - y1) : 0;
+    if (1 - x - y > most) {
+      most = 1 - x - y;
+      knee = index;
+    }
+  }
+  return knee;
+}
+
+} // namespace
+
+Spread spreadOf(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  return {quantile(values, 0.5), quantile(values, 0.25), quantile(values, 0.75)};
+}
+
+std::vector<std::size_t> paretoFront(const std::vector<Point>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::pair(points[a].ms.median, points[a].error()) <
+           std::pair(points[b].ms.median, points[b].error());
+  });
+  std::vector<std::size_t> front;
+  for (std::size_t index : order)
+    if (front.empty() || points[index].error() < points[front.back()].error())
+      front.push_back(index);
+  return front;
+}
+
+bool nearlyEqual(double a, double b) {
+  const double difference = std::abs(a - b);
+  return difference <= kNearlyAbsolute || difference <= kNearlyShare * std::min(a, b);
+}
+
+std::optional<std::size_t> withinBudget(const std::vector<Point>& points, double ms) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Point& point : points)
+    if (point.ms.median <= ms) least = std::min(least, point.error());
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].ms.median > ms || !nearlyEqual(points[i].error(), least)) continue;
+    if (!best || points[i].ms.median < points[*best].ms.median) best = i;
+  }
+  return best;
+}
+
+std::optional<std::size_t> withinError(const std::vector<Point>& points, double limit) {
+  double fastest = std::numeric_limits<double>::infinity();
+  for (const Point& point : points)
+    if (point.error() <= limit) fastest = std::min(fastest, point.ms.median);
+  const double sameTime = fastest + kSameTime * std::abs(fastest);
+  std::optional<std::size_t> best;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].error() > limit || points[i].ms.median > sameTime) continue;
+    if (!best || (nearlyEqual(points[i].error(), points[*best].error())
+                      ? points[i].ms.median < points[*best].ms.median
+                      : points[i].error() < points[*best].error()))
+      best = i;
+  }
+  return best;
+}
+
+std::vector<Preset> presetsOf(const std::vector<Point>& points, const nlohmann::json& reference) {
+  const std::vector<std::size_t> front = paretoFront(points);
+  const double least = points.at(front.back()).error();
+  // The front is sorted by time, so its first point that is good enough is the fastest.
+  const auto fastestOf = [&](double factor) {
+    const double limit = std::max(factor * least, least + kNearlyAbsolute);
+    return *std::find_if(front.begin(), front.end(),
+                         [&](std::size_t index) { return points[index].error() <= limit; });
+  };
+  const std::size_t fast = fastestOf(kFastFactor), accurate = fastestOf(kAccurateFactor);
+  const auto begin = std::find(front.begin(), front.end(), fast);
+  const auto end = std::find(front.begin(), front.end(), accurate) + 1;
+  std::vector<Preset> presets = {
+      {"fast", fmt::format("the fastest with at most {} times the least error", kFastFactor), fast},
+      {"balanced", "where the front bends most between fast and accurate",
+       kneeOf(points, std::vector<std::size_t>(begin, end))},
+      {"accurate",
+       fmt::format("the fastest within {:.0f}% of the least error", 100 * (kAccurateFactor - 1)),
+       accurate}};
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].setting == reference)
+      presets.push_back({"reference", "every number at its highest quality", i});
+  return presets;
+}
+
+std::optional<Growth> growthOf(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<std::pair<double, double>> logs;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
+    if (x[i] > 0 && y[i] > 0) logs.emplace_back(std::log(x[i]), std::log(y[i]));
+  if (logs.size() < 2) return std::nullopt;
+  double meanX = 0, meanY = 0;
+  for (const auto& [u, v] : logs) {
+    meanX += u / double(logs.size());
+    meanY += v / double(logs.size());
+  }
+  double xx = 0, xy = 0;
+  for (const auto& [u, v] : logs) {
+    xx += (u - meanX) * (u - meanX);
+    xy += (u - meanX) * (v - meanY);
+  }
+  if (xx <= 0) return std::nullopt;
+  Growth growth;
+  growth.exponent = xy / xx;
+  growth.factor = std::exp(meanY - growth.exponent * meanX);
+  double squares = 0;
+  for (const auto& [u, v] : logs) {
+    const double residual = v - meanY - growth.exponent * (u - meanX);
+    squares += residual * residual / double(logs.size());
+  }
+  growth.deviation = std::expm1(std::sqrt(squares));
+  return growth;
+}
+
+std::string fallText(const std::string& number, const std::vector<std::string>& labels,
+                     const std::vector<double>& errors) {
+  const std::size_t last = errors.size() - 1;
+  const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
+  const std::string at = fmt::format("{} at {}", errorText(errors[0]), labels[0]);
+  const std::string end = fmt::format("{} at {}", errorText(errors[last]), labels[last]);
+  if (last == 0) return fmt::format("{} has one value only: {}.", number, at);
+  if (nearlyEqual(*least, *most))
+    return fmt::format("{} makes no difference to the error here: {} to {} at every value.", number,
+                       errorText(*least), errorText(*most));
+  // The first value from which on nothing is gained that counts.
+  std::size_t best = 0;
+  while (!nearlyEqual(errors[best], *least)) ++best;
+  std::string rises;
+  for (std::size_t i = 1; i <= best; ++i)
+    if (errors[i] > errors[i - 1] && !nearlyEqual(errors[i], errors[i - 1]))
+      rises +=
+          fmt::format(" On the way it rises from {} at {} to {} at {}.", errorText(errors[i - 1]),
+                      labels[i - 1], errorText(errors[i]), labels[i]);
+  if (best == last)
+    return fmt::format("The error falls with {}: from {} to {}.{}", number, at, end, rises);
+  // A share of next to nothing says nothing.
+  const double change = errors[last] / std::max(errors[best], 1e-12) - 1;
+  const std::string share =
+      errors[best] > kNearlyAbsolute
+          ? fmt::format(" ({:+.{}f}%)", 100 * change, std::abs(change) < 0.1 ? 1 : 0)
+          : "";
+  const std::string further = nearlyEqual(errors[best], errors[last])
+                                  ? end + share
+                                  : fmt::format("it has risen to {}{}", end, share);
+  if (best == 0)
+    return fmt::format("The error does not fall with {}: {}, and {}.", number, at, further);
+  return fmt::format("The error does not fall beyond {} {}: from {} to {} there; {}.{}", number,
+                     labels[best], at, errorText(errors[best]), further, rises);
+}
+
+std::string errorText(double error) {
+  if (error == 0) return "0";
+  const double percent = 100 * error;
+  if (percent < 1e-3) return fmt::format("{:.1e}", error);
+  return fmt::format("{:.{}f}%", percent,
+                     percent >= 10 ? 1 : std::min(5, 1 - int(std::floor(std::log10(percent)))));
+}
+
+std::string msText(double ms) {
+  return fmt::format("{:.{}f} ms", ms, std::abs(ms) >= 10 ? 1 : std::abs(ms) >= 0.1 ? 2 : 3);
+}
+
+std::string settingText(const nlohmann::json& setting) {
+  std::string text;
+  for (const auto& [number, value] : setting.items())
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, value.dump());
+  return text;
+}
+
+} // namespace ggrade::tradeoff

@@ -1,0 +1,167 @@
+#include "tradeoff/chart.hpp"
+#include "tradeoff/page.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+using namespace ggrade;
+using namespace ggrade::tradeoff;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+/// Two numbers, each setting with an error that the larger size halves.
+Measured sample() {
+  Measured measured;
+  measured.sweep.part = "mirror";
+  measured.sweep.name = "sharp";
+  measured.sweep.about = "A scene.";
+  measured.sweep.scene = {{"size", {480, 360}}, {"quality", {{"size", 64}, {"clip", 1}}}};
+  measured.sweep.numbers = {{"clip", {0, 1}, false}, {"size", {64, 128, 256}, true}};
+  measured.sweep.together = {{"size", "clip"}};
+  for (const json& setting : allSettings(measured.sweep)) {
+    const double size = setting["size"];
+    const double clip = setting["clip"];
+    const double ms = size * size / 4096 + clip / 10;
+    measured.points.push_back(
+        {setting,
+         {ms, 0.9 * ms, 1.1 * ms},
+         {{"RMSE, edges left out", 1 / size + (clip == 0 ? 0.1 : 0)}, {"edge \"RMSE\"", 2 / size}},
+         {},
+         {}});
+  }
+  measured.offMs.median = 3;
+  return measured;
+}
+
+TEST(TradeoffSweep, HasEverySettingOnce) {
+  const Measured measured = sample();
+  EXPECT_EQ(measured.points.size(), 6u);
+  EXPECT_EQ(measured.points[0].setting, json({{"clip", 1}, {"size", 64}})) << "the scene's own";
+}
+
+TEST(TradeoffFiles, HoldANumberAlone) {
+  const Measured measured = sample();
+  const Findings findings = findingsOf(measured, {});
+  ASSERT_EQ(findings.tables.size(), 3u);
+  EXPECT_EQ(findings.tables[1].name(), "size");
+  EXPECT_EQ(csvOf(measured, findings.tables[1]),
+            "size,ms,q1,q3,\"RMSE, edges left out\",\"edge \"\"RMSE\"\"\"\n"
+            "64,1.1,0.99,1.21,0.015625,0.03125\n"
+            "128,4.1,3.69,4.51,0.0078125,0.015625\n"
+            "256,16.1,14.49,17.71,0.00390625,0.0078125\n");
+  const json all = jsonOf(measured, findings, findings.tables[1]);
+  EXPECT_EQ(all["rows"].size(), 3u);
+  EXPECT_EQ(all["rows"][2]["setting"], json({{"clip", 1}, {"size", 256}}));
+  EXPECT_DOUBLE_EQ(all["rows"][2]["errors"]["RMSE, edges left out"], 0.00390625);
+  EXPECT_NEAR(all["cost_exponent"], 1.94, 0.01);
+  EXPECT_EQ(all["error_falls"], "The error falls with size: from 1.6% at 64 to 0.39% at 256.");
+}
+
+TEST(TradeoffFiles, HoldNumbersTogether) {
+  const Measured measured = sample();
+  const Findings findings = findingsOf(measured, {});
+  EXPECT_EQ(findings.tables[2].name(), "size-clip");
+  EXPECT_EQ(findings.tables[2].points.size(), 6u);
+  EXPECT_THAT(csvOf(measured, findings.tables[2]),
+              HasSubstr("\n64,0,1,0.9,1.1,0.115625,0.03125\n64,1,1.1,"));
+}
+
+TEST(TradeoffFindings, AnswerWishes) {
+  const Measured measured = sample();
+  const Findings findings = findingsOf(measured, {4.5, 0.001});
+  ASSERT_EQ(findings.advice.size(), 2u);
+  EXPECT_EQ(findings.advice[0].wish, "at most 4.50 ms");
+  ASSERT_TRUE(findings.advice[0].point);
+  EXPECT_EQ(measured.points[*findings.advice[0].point].setting, json({{"clip", 1}, {"size", 128}}));
+  EXPECT_EQ(findings.advice[1].wish, "an error of at most 0.10%");
+  EXPECT_FALSE(findings.advice[1].point);
+  const std::string text = textOf(measured, findings);
+  EXPECT_THAT(text, HasSubstr("{\"quality\":{\"clip\":1,\"size\":128}}"));
+  EXPECT_THAT(text, HasSubstr("no setting that was measured"));
+  EXPECT_THAT(text, HasSubstr("mirror, scene \"sharp\": 6 settings"));
+}
+
+TEST(TradeoffFindings, PresetsOfSeveralScenesStandTogether) {
+  Measured blurred = sample();
+  blurred.sweep.name = "blurred";
+  blurred.sweep.scene["quality"]["samples"] = 1;
+  blurred.sweep.numbers = {{"samples", {1, 2}, true}};
+  blurred.sweep.together.clear();
+  blurred.points.resize(2);
+  blurred.points[0].setting = {{"samples", 1}};
+  blurred.points[1].setting = {{"samples", 2}};
+  const std::vector<Measured> all = {sample(), blurred};
+  const json presets = presetsJson(all, {findingsOf(all[0], {}), findingsOf(all[1], {})});
+  EXPECT_EQ(presets["mirror"]["reference"]["quality"],
+            json({{"clip", 1}, {"size", 256}, {"samples", 2}}));
+  EXPECT_EQ(presets["mirror"]["fast"]["quality"]["size"], 64);
+}
+
+TEST(TradeoffWishes, HaveUnits) {
+  EXPECT_DOUBLE_EQ(parseMs("5ms"), 5);
+  EXPECT_DOUBLE_EQ(parseMs("0.005s"), 5);
+  EXPECT_DOUBLE_EQ(parseMs("5"), 5);
+  EXPECT_DOUBLE_EQ(parseError("1%"), 0.01);
+  EXPECT_DOUBLE_EQ(parseError("0.01"), 0.01);
+  for (const char* text : {"", "ms", "5 ms", "-1ms", "5min", "nan", "inf", "1%"}) {
+    try {
+      parseMs(text);
+      ADD_FAILURE() << text;
+    } catch (const UsageError& error) {
+      EXPECT_EQ(error.what(), std::string("--budget ") + text + ": must be a time such as 5ms");
+    }
+  }
+  EXPECT_THROW(parseError("1ms"), UsageError);
+}
+
+TEST(TradeoffChart, CanBeReadAloud) {
+  const Measured measured = sample();
+  const Findings findings = findingsOf(measured, {});
+  const std::string svg = frontChart(measured, findings);
+  EXPECT_THAT(svg, HasSubstr("role=\"img\" aria-labelledby=\"chart-mirror-sharp-title "
+                             "chart-mirror-sharp-desc\"><title id=\"chart-mirror-sharp-title\">"
+                             "mirror, sharp: time against RMSE, edges left out</title>"));
+  EXPECT_THAT(svg, HasSubstr("1: clip 0, size 64: 1.00 ms, RMSE, edges left out 11.6%."));
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(curveChart(measured, findings.curves[1], false), HasSubstr("64: 1.6%. 128: 0.78%."));
+  EXPECT_THAT(curveChart(measured, findings.curves[1], true), HasSubstr("64: 1.10 ms."));
+}
+
+TEST(TradeoffChart, BearsNoTimeAndNoError) {
+  Measured measured = sample();
+  for (Point& point : measured.points) {
+    point.ms = {-0.1, -0.2, 0};
+    point.errors[0].value = 0;
+  }
+  const std::string svg = frontChart(measured, findingsOf(measured, {}));
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+  EXPECT_THAT(svg, Not(HasSubstr("inf")));
+}
+
+TEST(TradeoffPage, ShowsFrontPresetsAndCurves) {
+  PageAssignment page{"floor", "The floor",           {sample()}, {},   {},
+                      {},      {{"compiler", "c++"}}, {},         false};
+  page.findings = {findingsOf(page.measured[0], {4.5, {}})};
+  page.growth = {{"mirror",
+                  "pixels",
+                  {1, 2, 4},
+                  {{1, 1, 1}, {2, 2, 2}, {4, 4, 4}},
+                  growthOf({1, 2, 4}, {1, 2, 4})}};
+  page.memory = {{"nothing <glows>", 1 << 20, 4 << 20}};
+  const std::string html = tradeoffPage({page});
+  EXPECT_THAT(html, HasSubstr("The error falls with size: from 1.6% at 64 to 0.39% at 256."));
+  EXPECT_THAT(html, HasSubstr("Not everything has been measured"));
+  EXPECT_THAT(html, HasSubstr("at most 4.50 ms"));
+  EXPECT_THAT(html, HasSubstr("{&quot;quality&quot;:{&quot;clip&quot;:1,&quot;size&quot;:128}}"));
+  EXPECT_THAT(html, HasSubstr("<td>pixels</td><td>1: 1.00 ms, 2: 2.00 ms, 4: 4.00 ms</td><td "
+                              "class=\"number\">1.00</td>"));
+  EXPECT_THAT(html, HasSubstr("nothing &lt;glows&gt;"));
+  EXPECT_THAT(html, HasSubstr("1.0 MiB</td><td class=\"number\">4.0 MiB</td><td "
+                              "class=\"number\">75%"));
+  EXPECT_THAT(html, Not(HasSubstr("{{")));
+  EXPECT_THAT(html, Not(HasSubstr("http://")));
+}
+
+} // namespace
