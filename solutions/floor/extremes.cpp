@@ -97,18 +97,18 @@ TEST_P(EveryPart, NearAndFarPlanesTenMillionApart) {
 TEST_P(EveryPart, NoObjects) {
   const Image none = first({{"ring", {{"count", 0}}}});
   // The passes that are left out would show nothing.
-  EXPECT_EQ(differing(none, first({{"ring", {{"count", 0}}}, {"debug", {{"draw_all_passes", true}}}}),
-                      0),
-            0);
+  EXPECT_EQ(
+      differing(none, first({{"ring", {{"count", 0}}}, {"debug", {{"draw_all_passes", true}}}}), 0),
+      0);
   EXPECT_EQ(differing(none, first({{"ring", {{"count", 0}}}}, 3.3), 0), 0) << "nothing moves";
 }
 
 TEST_P(EveryPart, TenThousandObjects) {
   // Colours and glow repeat after eight objects: turned so far the ring is itself again.
-  const json scene = small(
-      GetParam(), {{"size", {48, 36}},
-                   {"quality", {{"mirror_size", 64}, {"shadow_size", 64}}},
-                   {"ring", {{"count", 10000}, {"hop", 0}, {"scale", 0.4}, {"glow", 0.01}}}});
+  const json scene =
+      small(GetParam(), {{"size", {48, 36}},
+                         {"quality", {{"mirror_size", 64}, {"shadow_size", 64}}},
+                         {"ring", {{"count", 10000}, {"hop", 0}, {"scale", 0.4}, {"glow", 0.01}}}});
   const Drawn drawn = draw("floor", scene, {0, 0.004});
   EXPECT_LE(differing(drawn.frames[0], drawn.frames[1], 3.01f / 255), 0.05);
   json without = scene;
@@ -119,8 +119,8 @@ TEST_P(EveryPart, TenThousandObjects) {
 TEST_P(EveryPart, TheBrightestLight) {
   const json white = {65504, 65504, 65504};
   const json all = {{"ambient", white}, {"diffuse", white}, {"specular", white}};
-  const Image image =
-      first({{"background", white}, {"light", all}, {"materials", {{"object", all}, {"floor", all}}}});
+  const Image image = first(
+      {{"background", white}, {"light", all}, {"materials", {{"object", all}, {"floor", all}}}});
   EXPECT_THAT(image.values(), Each(1.0f));
 }
 

@@ -74,19 +74,21 @@ void PrintTo(const Pixel& pixel, std::ostream* out) {
 
 class OnePixel : public testing::TestWithParam<Pixel> {};
 
-INSTANTIATE_TEST_SUITE_P(
-    Bloom, OnePixel,
-    testing::Values(Pixel{"Nan", kNan, kRgba16f, 0}, Pixel{"PositiveInf", kInf, kRgba16f, kHalfMost},
-                    Pixel{"NegativeInf", -kInf, kRgba16f, 0}, Pixel{"Negative", -3, kRgba16f, 0},
-                    Pixel{"Largest", kHalfMost, kRgba16f, kHalfMost},
-                    Pixel{"Denormal", 6e-8f, kRgba16f, 0}, Pixel{"One", 1, kRgba16f, 1},
-                    Pixel{"NanInFloats", kNan, kRgba32f, 0},
-                    Pixel{"InfInFloats", kInf, kRgba32f, kHalfMost},
-                    Pixel{"BeyondHalfFloats", 1e30f, kRgba32f, kHalfMost},
-                    Pixel{"LargestFloat", 3.4e38f, kRgba32f, kHalfMost},
-                    Pixel{"NegativeLargestFloat", -3.4e38f, kRgba32f, 0},
-                    Pixel{"DenormalInFloats", 1e-42f, kRgba32f, 0}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Bloom, OnePixel,
+                         testing::Values(Pixel{"Nan", kNan, kRgba16f, 0},
+                                         Pixel{"PositiveInf", kInf, kRgba16f, kHalfMost},
+                                         Pixel{"NegativeInf", -kInf, kRgba16f, 0},
+                                         Pixel{"Negative", -3, kRgba16f, 0},
+                                         Pixel{"Largest", kHalfMost, kRgba16f, kHalfMost},
+                                         Pixel{"Denormal", 6e-8f, kRgba16f, 0},
+                                         Pixel{"One", 1, kRgba16f, 1},
+                                         Pixel{"NanInFloats", kNan, kRgba32f, 0},
+                                         Pixel{"InfInFloats", kInf, kRgba32f, kHalfMost},
+                                         Pixel{"BeyondHalfFloats", 1e30f, kRgba32f, kHalfMost},
+                                         Pixel{"LargestFloat", 3.4e38f, kRgba32f, kHalfMost},
+                                         Pixel{"NegativeLargestFloat", -3.4e38f, kRgba32f, 0},
+                                         Pixel{"DenormalInFloats", 1e-42f, kRgba32f, 0}),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 TEST_P(OnePixel, IsMadeFiniteBeforeAnyFilter) {
   Image light(16, 12, 4, 0);
@@ -115,9 +117,7 @@ std::string nameOf(const testing::TestParamInfo<Size>& info) {
 
 class LightOfSize : public testing::TestWithParam<Size> {
 protected:
-  Image constant(float value) const {
-    return Image(GetParam().width, GetParam().height, 4, value);
-  }
+  Image constant(float value) const { return Image(GetParam().width, GetParam().height, 4, value); }
 };
 
 INSTANTIATE_TEST_SUITE_P(Bloom, LightOfSize,
@@ -184,11 +184,12 @@ Image brightPass(const Image& scene, int width, int height, double threshold, do
       double sum[3] = {};
       for (int v = -scene.height(); v < 2 * scene.height(); ++v)
         for (int u = -scene.width(); u < 2 * scene.width(); ++u) {
-          const double part = share(u, x, scene.width(), width) * share(v, y, scene.height(), height);
+          const double part =
+              share(u, x, scene.width(), width) * share(v, y, scene.height(), height);
           if (part == 0) continue;
           for (int c = 0; c < 3; ++c)
-            sum[c] += part * finite(scene.at(mirrored(u, scene.width()),
-                                             mirrored(v, scene.height()), c));
+            sum[c] +=
+                part * finite(scene.at(mirrored(u, scene.width()), mirrored(v, scene.height()), c));
         }
       const double most = std::max({sum[0], sum[1], sum[2]});
       const double ratio = std::max(most - threshold, 0.0) / std::max(most, 1e-5);
@@ -241,7 +242,8 @@ TEST_P(Levels, TheirSumOfTheBrightestLightIsFinite) {
 }
 
 TEST_P(Levels, FitIntoAWindowOfFifteenPixels) {
-  const json patch = {{"bloom", {{"threshold", 0.25}}}, {"quality", {{"bloom_levels", GetParam()}}}};
+  const json patch = {{"bloom", {{"threshold", 0.25}}},
+                      {"quality", {{"bloom_levels", GetParam()}}}};
   const Drawn drawn = drawLight(Image(5, 3, 4, 0.5f), patch);
   const Image sum = drawn.leftBy(lastUp(GetParam()));
   EXPECT_EQ(sum.sizeText(), "2x1");
@@ -294,7 +296,8 @@ TEST_P(Format, GlowThatNoHalfFloatHoldsIsWhite) {
   // No picture holds more light than the others could.
   for (const char* uniform : {"uReflection", "uScene"}) {
     const Image light = drawn.leftBy(drawn.writerOf(uniform));
-    EXPECT_LE(*std::max_element(light.values().begin(), light.values().end()), kHalfMost) << uniform;
+    EXPECT_LE(*std::max_element(light.values().begin(), light.values().end()), kHalfMost)
+        << uniform;
   }
 }
 

@@ -94,8 +94,7 @@ Drawn draw(const std::string& assignment, const json& scene, const std::vector<d
   Drawn drawn;
   for (const channel::CapturedFrame& frame : capture.frames) {
     EXPECT_TRUE(frame.written);
-    drawn.frames.push_back(
-        Image::fromBytes(frame.pixels, int(frame.width), int(frame.height)));
+    drawn.frames.push_back(Image::fromBytes(frame.pixels, int(frame.width), int(frame.height)));
   }
   for (const trace::CopyRecord& copy : capture.trace.copies)
     if (!isReplaced(copy, replacements))
