@@ -55,12 +55,15 @@ inline LightCamera lightCamera(const glm::vec3& light, const std::array<glm::vec
   LightCamera camera;
   // BEGIN SOLUTION(shadow.2)
   const glm::vec3 middle = (corners[0] + corners[7]) / 2.0f;
-  const glm::vec3 along = middle == light ? glm::vec3(0, -1, 0) : glm::normalize(middle - light);
+  // So near to the middle that no direction can be told (the squares of tiny numbers are 0, and
+  // 0 / 0 is NaN), or that it means nothing: look down.
+  const bool amid = glm::distance(light, middle) < 1e-3f * glm::distance(corners[0], corners[7]);
+  const glm::vec3 along = amid ? glm::vec3(0, -1, 0) : glm::normalize(middle - light);
   const glm::vec3 up = std::abs(along.y) > 0.99f ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
   camera.view = glm::lookAt(light, light + along, up);
   const float farthest = glm::distance(corners[0], corners[7]) + glm::distance(light, middle);
   const float nearest = 1e-3f * farthest; // a light among the objects sees nothing nearer
-  float near = farthest, far = nearest, right = 1e-3f, top = 1e-3f; // the latter at distance 1
+  float near = farthest, far = nearest, right = 1e-6f, top = 1e-6f; // the latter at distance 1
   for (const glm::vec3& corner : corners) {
     const glm::vec3 at = glm::vec3(camera.view * glm::vec4(corner, 1));
     const float distance = std::max(-at.z, nearest);
