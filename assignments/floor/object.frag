@@ -19,4 +19,6 @@ void main() {
   // A view turns (and mirrors) but doesn't stretch: its transpose takes directions back.
   float visible = visibility(vWorld, transpose(mat3(uView)) * normal);
   oColor = vec4(lit.ambient + visible * (lit.diffuse + lit.specular) + uGlow, 1);
+  // What a half float can't hold would become infinity, and that times a filter's weight of 0 NaN.
+  oColor = min(oColor, 65504.0);
 }
