@@ -100,7 +100,7 @@ std::string keyOf(const truth::Rendered& rendered);
 /// `make(rendered)`, kept for the scenes that were asked for last. Not for several threads.
 template <class Made, class Make>
 std::shared_ptr<const Made> kept(const truth::Rendered& rendered, Make make) {
-  constexpr std::size_t kMost = 8;
+  constexpr std::size_t kMost = 4; // shadows take 30 MiB at 640x480
   static std::map<std::string, std::shared_ptr<const Made>> all;
   const std::string key = keyOf(rendered);
   if (const auto found = all.find(key); found != all.end()) return found->second;
