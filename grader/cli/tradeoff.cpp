@@ -101,6 +101,7 @@ void measure(const Options& options) {
   if (!options.error.empty()) wishes.error = tradeoff::parseError(options.error);
   const fs::path out = outputFolder(options.out);
   const std::vector<Work> works = workOf(options);
+  for (const Work& work : works) tradeoff::requireTruths(work.plan, work.solutions);
   const bool growth = options.growth || (!options.noGrowth && options.only.empty());
   std::vector<tradeoff::PageAssignment> all;
   std::string text;

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -36,6 +35,14 @@ trace::Request copiesRequest() {
 }
 
 } // namespace
+
+void requireTruths(const Plan& plan, const fs::path& solutionFolder) {
+  try {
+    for (const Sweep& sweep : plan.sweeps) truth::judgeOf(sweep.part);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError(fmt::format("{}: {}", (solutionFolder / "truth.cpp").string(), error.what()));
+  }
+}
 
 Bench::Bench(const Assignment& assignment, const fs::path& solutionFolder, Effort effort,
              grading::Progress progress)
@@ -113,27 +120,12 @@ truth::Answer Bench::judge(const Sweep& sweep, const json& scene) {
   truth::Answer answer = truth::judgeOf(sweep.part)(rendered);
   if (answer.errors.empty())
     throw std::logic_error(fmt::format("the truth of part {} names no error", sweep.part));
-  if (!sweep.error.empty()) {
-    const auto named =
-        std::find_if(answer.errors.begin(), answer.errors.end(),
-                     [&](const truth::Error& error) { return error.name == sweep.error; });
-    if (named == answer.errors.end())
-      throw UsageError(fmt::format("solutions/{}/quality.json: parts.{}.error: the truth names no "
-                                   "error \"{}\"",
-                                   id_, sweep.part, sweep.error));
-    std::rotate(answer.errors.begin(), named, named + 1);
-  }
   if (answer.rendered.empty()) answer.rendered = rendered.window;
   return answer;
 }
 
 Measured Bench::measure(const Sweep& sweep) {
   const std::string what = sweep.part == sweep.name ? sweep.part : sweep.part + ", " + sweep.name;
-  try {
-    truth::judgeOf(sweep.part);
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(fmt::format("solutions/{}/truth.cpp: {}", id_, error.what()));
-  }
   Measured measured{sweep, {}, {}, {}};
   const std::vector<json> settings = allSettings(sweep);
   // The scene without the part goes last.

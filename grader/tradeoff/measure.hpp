@@ -43,6 +43,9 @@ struct MemoryRow {
   std::uint64_t bytes = 0, against = 0;
 };
 
+/// Throws UsageError unless every part that is swept has a truth.
+void requireTruths(const Plan& plan, const std::filesystem::path& solutionFolder);
+
 /// The reference, built once.
 class Bench {
 public:
@@ -50,8 +53,7 @@ public:
   Bench(const Assignment& assignment, const std::filesystem::path& solutionFolder, Effort effort,
         grading::Progress progress);
 
-  /// Throws std::runtime_error naming the setting where a run fails, UsageError for a part without
-  /// a truth, Interrupted.
+  /// Throws std::runtime_error naming the setting where a run fails, Interrupted.
   Measured measure(const Sweep& sweep);
   std::vector<GrowthRow> growth(const Plan& plan);
   std::vector<MemoryRow> memory(const Plan& plan);

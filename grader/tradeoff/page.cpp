@@ -1,6 +1,6 @@
 #include "tradeoff/page.hpp"
 
-#include "report/page.hpp"
+#include "report/page_parts.hpp"
 #include "report/picture.hpp"
 #include "report/templates.hpp"
 #include "tradeoff/chart.hpp"
@@ -12,6 +12,7 @@ namespace ggrade::tradeoff {
 using report::Data;
 using report::line;
 using report::makeList;
+using report::optional;
 
 namespace {
 
@@ -34,9 +35,9 @@ Data pointOf(const Point& point, const std::string& number) {
     others << other;
   }
   data["others"] = std::move(others);
-  data["rendered"] = line(report::pngDataUri(point.rendered));
-  data["difference"] = line(report::pngDataUri(point.difference));
-  data["paste"] = line(pasteOf(point.setting).dump());
+  data["rendered"] = optional(report::pngDataUri(point.rendered));
+  data["difference"] = optional(report::pngDataUri(point.difference));
+  data["paste"] = optional(pasteOf(point.setting).dump());
   return data;
 }
 
@@ -51,7 +52,7 @@ Data namedOf(const Point& point, const std::string& name, const std::string& rul
 Data curveOf(const Measured& measured, const Curve& curve) {
   Data data;
   data["curveName"] = line(curve.number.name);
-  data["fall"] = line(curve.fall);
+  data["fall"] = optional(curve.fall);
   data["exponent"] =
       curve.growth ? line(fmt::format("Its cost grows with the power {:.2f} of the number; the fit "
                                       "is within {:.0f}%.",
@@ -74,7 +75,7 @@ Data sweepOf(const Measured& measured, const Findings& findings) {
   data["offMs"] = Data(msText(measured.offMs.median));
   const auto size = sweep.scene.at("size");
   data["size"] = Data(fmt::format("{}x{}", size[0].dump(), size[1].dump()));
-  data["truthPicture"] = line(report::pngDataUri(measured.truth));
+  data["truthPicture"] = optional(report::pngDataUri(measured.truth));
   data["chart"] = Data(frontChart(measured, findings));
   for (std::size_t i = 0; i < findings.front.size(); ++i)
     front << pointOf(measured.points[findings.front[i]], std::to_string(i + 1));

@@ -217,7 +217,7 @@ Plan readPlan(const Assignment& assignment, const std::vector<std::string>& part
         std::any_of(assignment.parts.begin(), assignment.parts.end(),
                     [&part = part](const Part& other) { return other.id == part; });
     if (!declared) reader.fail(at, fmt::format("{} has no such part", assignment.id));
-    reader.checkKeys(settings, at, {"off", "error", "scenes"});
+    reader.checkKeys(settings, at, {"off", "scenes"});
     const json shown = grading::partScene(assignment, {part});
     const json base = reader.scene(shown, size, "size");
     const json& off = reader.get(settings, at, "off");
@@ -231,7 +231,6 @@ Plan readPlan(const Assignment& assignment, const std::vector<std::string>& part
         if (!known.insert(number.name).second)
           reader.fail(key + ".numbers." + number.name,
                       "is swept in another scene, too; a number is swept in one");
-      if (settings.contains("error")) sweep.error = reader.text(settings, at, "error");
       if (wanted) plan.sweeps.push_back(std::move(sweep));
     }
   }

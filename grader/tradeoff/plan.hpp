@@ -7,7 +7,6 @@
 ///       "parts": {
 ///         "mirror": {
 ///           "off": { "effects": { "mirror": false } },   the scene without what the part adds
-///           "error": "edge RMSE",                  settings are compared by; else the truth's
 ///           first "scenes": [ {
 ///             "name": "sharp", "about": "...", "time": 0.21,
 ///             "scene": { ... },                    merged over scene.json and the part's scene
@@ -55,7 +54,6 @@ struct Sweep {
   std::vector<std::vector<std::string>> together;
   json reference =
       json::object(); ///< the best values of numbers whose last value is not their best
-  std::string error;  ///< the error that settings are compared by; empty: the truth's first
 };
 
 /// One step of a series along which cost grows.

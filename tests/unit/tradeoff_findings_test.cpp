@@ -1,3 +1,4 @@
+#include "report/picture.hpp"
 #include "tradeoff/chart.hpp"
 #include "tradeoff/page.hpp"
 
@@ -150,7 +151,12 @@ TEST(TradeoffPage, ShowsFrontPresetsAndCurves) {
                   {{1, 1, 1}, {2, 2, 2}, {4, 4, 4}},
                   growthOf({1, 2, 4}, {1, 2, 4})}};
   page.memory = {{"nothing <glows>", 1 << 20, 4 << 20}};
+  Image& first = page.measured[0].points[page.findings[0].front[0]].rendered = Image(30, 20, 3);
+  for (std::size_t i = 0; i < 1800; ++i) first.values()[i] = float(i * i * 7919 % 256) / 255;
   const std::string html = tradeoffPage({page});
+  const std::string picture = report::pngDataUri(first);
+  EXPECT_GT(picture.size(), 400u) << "longer than a line of text may be";
+  EXPECT_THAT(html, HasSubstr("<img src=\"" + picture + "\""));
   EXPECT_THAT(html, HasSubstr("The error falls with size: from 1.6% at 64 to 0.39% at 256."));
   EXPECT_THAT(html, HasSubstr("Not everything has been measured"));
   EXPECT_THAT(html, HasSubstr("at most 4.50 ms"));
