@@ -72,7 +72,7 @@ TEST(Tradeoff, BrokenOffKeepsWhatWasWritten) {
   TemporaryFolder folder;
   const fs::path out = folder.path() / "out";
   Running running(words({"tradeoff", "mirror", "--only", "mirror_clip", "blur_samples", "--rounds",
-                         "20", "--frames", "1", "--out", out.string()}));
+                         "4", "--frames", "1", "--out", out.string()}));
   ASSERT_TRUE(running.says("mirror, blurred: ", 90));
   running.signalGroup(SIGINT);
   EXPECT_EQ(running.wait(30).exitCode, 130);
