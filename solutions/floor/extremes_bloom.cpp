@@ -126,15 +126,27 @@ INSTANTIATE_TEST_SUITE_P(Bloom, LightOfSize,
                                          Size{1920, 2}),
                          nameOf);
 
-TEST_P(LightOfSize, BlackStaysExactlyBlack) {
-  const Drawn drawn = drawLight(constant(0), threshold(0));
+/// Nothing at all in any level.
+void expectNoBloom(const Drawn& drawn) {
   for (std::uint32_t pass = kBright; pass <= lastUp(6); ++pass) {
     const Image level = drawn.leftBy(pass);
     for (int y = 0; y < level.height(); ++y)
       for (int x = 0; x < level.width(); ++x)
         for (int c = 0; c < 3; ++c) ASSERT_EQ(level.at(x, y, c), 0) << pass;
   }
+}
+
+TEST_P(LightOfSize, BlackStaysExactlyBlack) {
+  const Drawn drawn = drawLight(constant(0), threshold(0));
+  expectNoBloom(drawn);
   EXPECT_EQ(total(drawn.frames[0]), 0);
+}
+
+TEST_P(LightOfSize, WhatStaysBelowTheThresholdAddsNothing) {
+  const Drawn drawn = drawLight(constant(0.5f), threshold(1));
+  expectNoBloom(drawn);
+  EXPECT_THAT(drawn.frames[0].pixel(0, 0),
+              ElementsAre(188.0f / 255, 188.0f / 255, 188.0f / 255, 1));
 }
 
 TEST_P(LightOfSize, AFireflyKeepsItsEnergy) {

@@ -205,6 +205,22 @@ TEST(Shadow, ALightAtACornerOfAnObject) {
   EXPECT_LE(distance(image.pixel(160, 160), lit.pixel(160, 160)), 1.01f / 255);
 }
 
+class Height : public testing::TestWithParam<double> {};
+
+INSTANTIATE_TEST_SUITE_P(Shadow, Height, testing::Values(2.1, 2.3, 2.7, 3.0, 3.3, 4.1, 5.9, 7.7));
+
+TEST_P(Height, WhatTouchesTheNearPlaneShadesTheFloor) {
+  // The top of the box is the top of all objects' box, too, and so lies in the light's near plane.
+  const double height = GetParam();
+  for (double tilt : {0.0, 0.05}) {
+    const Image image = first(fromAbove(
+        {{"light", {{"position", {tilt, height, 0}}}}, {"floor", {{"width", 40}, {"depth", 40}}}}));
+    const double reach = 0.45 * height / (height - 1.9);
+    EXPECT_TRUE(dark(image, 0, std::min(reach - 0.04, 1.4))) << tilt;
+    EXPECT_TRUE(dark(image, 0, -std::min(reach - 0.04, 1.4))) << tilt;
+  }
+}
+
 class Bias : public testing::TestWithParam<int> {};
 
 INSTANTIATE_TEST_SUITE_P(Shadow, Bias, testing::Values(0, 1, 2, 3));
