@@ -120,7 +120,6 @@ void app(const gg::Scene& scene) {
       glBindFramebuffer(GL_FRAMEBUFFER, shadowMap->framebuffer);
       glViewport(0, 0, shadowMap->size, shadowMap->size);
       glClear(GL_DEPTH_BUFFER_BIT);
-      glEnable(GL_DEPTH_CLAMP); // or rounding cuts off what touches the near plane
       // END SOLUTION(shadow.3)
       // BEGIN SOLUTION(shadow.6)
       if (scene.integer("quality.shadow_bias") == 2) {
@@ -139,7 +138,6 @@ void app(const gg::Scene& scene) {
       // BEGIN SOLUTION(shadow.3)
       glBindFramebuffer(GL_FRAMEBUFFER, 0);
       glViewport(0, 0, window.width(), window.height());
-      glDisable(GL_DEPTH_CLAMP);
       // END SOLUTION(shadow.3)
     }
 

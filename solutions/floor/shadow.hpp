@@ -67,7 +67,7 @@ inline LightCamera lightCamera(const glm::vec3& light, const std::array<glm::vec
   for (const glm::vec3& corner : corners) {
     const glm::vec3 at = glm::vec3(camera.view * glm::vec4(corner, 1));
     const float distance = std::max(-at.z, nearest);
-    near = std::min(near, distance);
+    near = std::min(near, 0.99f * distance); // what touches a plane, rounding may cut away
     far = std::max(far, distance);
     right = std::max(right, std::abs(at.x) / distance);
     top = std::max(top, std::abs(at.y) / distance);
