@@ -56,6 +56,13 @@ double total(const Image& image) {
   return sum;
 }
 
+/// The least and the greatest value of RGB.
+std::pair<float, float> extent(const Image& image) {
+  const Image colors = ggrade::firstChannels(image, 3);
+  const auto [least, most] = std::minmax_element(colors.values().begin(), colors.values().end());
+  return {*least, *most};
+}
+
 /// The light of a whole level, in pixels of the scene.
 double energy(const Image& level, const Image& scene) {
   return total(level) * double(scene.pixelCount()) / double(level.pixelCount());
@@ -128,12 +135,8 @@ INSTANTIATE_TEST_SUITE_P(Bloom, LightOfSize,
 
 /// Nothing at all in any level.
 void expectNoBloom(const Drawn& drawn) {
-  for (std::uint32_t pass = kBright; pass <= lastUp(6); ++pass) {
-    const Image level = drawn.leftBy(pass);
-    for (int y = 0; y < level.height(); ++y)
-      for (int x = 0; x < level.width(); ++x)
-        for (int c = 0; c < 3; ++c) ASSERT_EQ(level.at(x, y, c), 0) << pass;
-  }
+  for (std::uint32_t pass = kBright; pass <= lastUp(6); ++pass)
+    EXPECT_EQ(extent(drawn.leftBy(pass)), std::pair(0.0f, 0.0f)) << pass;
 }
 
 TEST_P(LightOfSize, BlackStaysExactlyBlack) {
@@ -165,13 +168,12 @@ TEST_P(LightOfSize, EvenLightStaysEven) {
     json patch = threshold(0.25f);
     patch["quality"] = {{"bloom_filter", filter}, {"bloom_edge", filter % 2}};
     const Drawn drawn = drawLight(constant(0.5f), patch);
-    EXPECT_THAT(drawn.leftBy(lastUp(6)).values(), Each(AllOf(Ge(0.2485f)))) << filter;
-    const Image sum = drawn.leftBy(lastUp(6));
-    for (int y = 0; y < sum.height(); ++y)
-      for (int x = 0; x < sum.width(); ++x)
-        ASSERT_NEAR(sum.at(x, y, 1), 0.25, 0.0015) << filter << ": " << x << ' ' << y;
-    EXPECT_THAT(drawn.frames[0].values(), Each(AllOf(Ge(224.0f / 255)))) << filter;
-    EXPECT_LE(drawn.frames[0].at(0, 0, 2), 226.01f / 255) << filter;
+    const auto sum = extent(drawn.leftBy(lastUp(6)));
+    EXPECT_NEAR(sum.first, 0.25, 0.0015) << filter;
+    EXPECT_NEAR(sum.second, 0.25, 0.0015) << filter;
+    const auto shown = extent(drawn.frames[0]);
+    EXPECT_NEAR(shown.first * 255, 225, 1.1) << filter;
+    EXPECT_NEAR(shown.second * 255, 225, 1.1) << filter;
   }
 }
 
