@@ -137,8 +137,12 @@ TEST(Batch, WritesAFolderAStudentAGradebookAndAPage) {
   const tool::Ended nobody = students.run({"--resume", "--only", "student9"});
   EXPECT_EQ(nobody.exitCode, 2);
   EXPECT_THAT(nobody.errors, HasSubstr("--only: no upload is student9's"));
-  EXPECT_THAT(students.run({"--resume", "--seed", "5"}).errors,
-              HasSubstr("was graded with the assignment's own seed: give the same, or --regrade"));
+  EXPECT_THAT(
+      students.run({"--resume", "--seed", "5"}).errors,
+      HasSubstr(
+          "was graded with the assignment's own seed and --quality balanced: give the same, or"));
+  EXPECT_THAT(students.run({"--resume", "--quality", "fast"}).errors,
+              HasSubstr("--quality balanced: give the same"));
 }
 
 TEST(Batch, WhatIsKilledGoesOnAndEndsTheSame) {

@@ -68,7 +68,7 @@ TEST(CarriedForward, SamplingThatIsWrongTooEarnsNothing) {
 
 TEST(CarriedForward, ATextureOfAnotherSizeOrFormatIsNotReplaced) {
   for (const auto& [from, to] :
-       {std::pair("scene.integer(\"quality.mirror_size\")", "512"),
+       {std::pair("scene.integer(\"quality.mirror_size\")", "700"),
         std::pair("lightFormat(scene) : GL_RGBA8", "GL_RGBA8 : GL_RGB8")}) {
     Submission other = Submission::example("scale_on_the_left");
     other.replace("floor.cpp", from, to);

@@ -42,7 +42,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         // Points come with the steps that the rubric can see: sampling an empty texture is worth
         // nothing, the mirrored objects are, inside out or not. A map that nobody asks is none.
-        Way{"mirror", {0, 0, 0, 0, 44.4, 85, 100, 100}, 10, {1, 2}},
+        Way{"mirror", {0, 0, 0, 0, 45, 85, 100, 100}, 10, {1, 2}},
         Way{"shadow", {0, 0, 0, 0, 100, 100, 100}, 20, {1, 2, 3}},
         Way{"bloom", {0, 0, 10, 35, 55, 70, 100}, 0, {1, 3, 4, 5}}),
     [](const auto& way) { return std::string(way.param.part); });
