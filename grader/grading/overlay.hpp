@@ -28,8 +28,8 @@ struct Overlay {
 bool takes(const Assignment& assignment, const std::string& name);
 
 /// The names of the files that `folder` (a solution's, or an upload) brings to the program, sorted.
-/// A rubric's headers match a pattern for students' files, too, but nothing that is built reads
-/// them.
+/// Headers of rubrics and truths match a pattern for students' files, too, but nothing that is
+/// built reads them.
 std::vector<std::string> ownFiles(const Assignment& assignment,
                                   const std::filesystem::path& folder);
 

@@ -211,12 +211,15 @@ Plan readPlan(const Assignment& assignment, const std::vector<std::string>& part
   std::set<std::string> known;
   const json size = {{"size", reader.get(read, "size", "size")}};
   const json& all = reader.get(read, "parts", "parts");
-  for (const auto& [part, settings] : all.items()) {
+  for (const auto& [part, unused] : all.items())
+    if (std::none_of(assignment.parts.begin(), assignment.parts.end(),
+                     [&part = part](const Part& declared) { return declared.id == part; }))
+      reader.fail("parts." + part, fmt::format("{} has no such part", assignment.id));
+  for (const Part& declared : assignment.parts) {
+    const std::string& part = declared.id;
+    if (!all.contains(part)) continue;
+    const json& settings = all[part];
     const std::string at = "parts." + part;
-    const bool declared =
-        std::any_of(assignment.parts.begin(), assignment.parts.end(),
-                    [&part = part](const Part& other) { return other.id == part; });
-    if (!declared) reader.fail(at, fmt::format("{} has no such part", assignment.id));
     reader.checkKeys(settings, at, {"off", "scenes"});
     const json shown = grading::partScene(assignment, {part});
     const json base = reader.scene(shown, size, "size");

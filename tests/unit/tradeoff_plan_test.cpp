@@ -64,7 +64,9 @@ private:
 TEST_F(TradeoffPlan, OfTheFloorIsRight) {
   const Plan plan = readPlan(floorAssignment(), {"mirror", "shadow", "bloom"},
                              kSource / "solutions/floor/quality.json");
-  EXPECT_EQ(plan.sweeps.size(), 4u);
+  std::vector<std::string> parts;
+  for (const Sweep& sweep : plan.sweeps) parts.push_back(sweep.part);
+  EXPECT_THAT(parts, testing::ElementsAre("mirror", "mirror", "shadow", "bloom"));
   EXPECT_EQ(plan.parts.size(), 3u);
   std::size_t settings = 0;
   for (const Sweep& sweep : plan.sweeps) {
