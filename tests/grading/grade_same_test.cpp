@@ -66,4 +66,20 @@ TEST(SameSeed, TheReferenceKeepsItsScoreUnderOtherSeeds) {
   }
 }
 
+TEST(Quality, DecidesHowManyScenesAreDrawn) {
+  const Submission submission = Submission::example("light_not_mirrored");
+  const std::size_t balanced = grade(submission).results.at("extra_data").at("scenes").size();
+  for (const auto& [quality, scenes] :
+       {std::pair("fast", balanced - 2), std::pair("thorough", 2 * balanced - 1)}) {
+    const Graded graded = grade(submission, {"--quality", quality, "--no-diagnosis"});
+    const auto& extra = graded.results.at("extra_data");
+    EXPECT_EQ(extra.at("quality"), quality);
+    EXPECT_EQ(extra.at("scenes").size(), scenes) << quality;
+    EXPECT_GT(graded.score(), 0) << quality;
+    EXPECT_LT(graded.score(), 80) << quality;
+    EXPECT_EQ(grade(Submission::solution(), {"--quality", quality, "--no-diagnosis"}).score(), 100)
+        << quality;
+  }
+}
+
 } // namespace
