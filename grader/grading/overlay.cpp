@@ -65,8 +65,7 @@ std::vector<std::string> ownFiles(const Assignment& assignment, const fs::path& 
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     const bool judges = name.starts_with("rubric") || name.starts_with("truth");
-    if (entry.is_regular_file() && takes(assignment, name) && !judges)
-      names.push_back(name);
+    if (entry.is_regular_file() && takes(assignment, name) && !judges) names.push_back(name);
   }
   std::sort(names.begin(), names.end());
   return names;
