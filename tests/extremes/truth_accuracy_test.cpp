@@ -1,71 +1,28 @@
 // The reference's pictures against the truth at the settings that it has by default.
 
-#include "truth/truth.hpp"
+#include "drawn.hpp"
 
-#include "../../unit/framework_temporary_folder.hpp"
-#include "grading/overlay.hpp"
-#include "grading/program.hpp"
-#include "grading/scenes.hpp"
+#include "truth/truth.hpp"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 
 using namespace ggrade;
 using nlohmann::json;
-namespace fs = std::filesystem;
 
 namespace {
-
-const fs::path kSource = GGRADE_SOURCE_DIR;
-
-const Assignment& assignment() {
-  static const Assignment loaded = Assignment::load(kSource / "assignments/floor");
-  return loaded;
-}
-
-/// The reference, built once for all tests of a process.
-class Reference {
-public:
-  Reference() {
-    grading::overlay(assignment(), kSource / "solutions/floor", folder_.path());
-    const grading::Happened built =
-        grading::buildProgram("floor", folder_.path(), sandbox::Isolation::none);
-    if (!built.ok()) throw std::runtime_error(built.output);
-  }
-  grading::Rendering render(const json& scene, double time) const {
-    trace::Request request{};
-    request.passes = 1;
-    request.copies = 1u | 1u << trace::kDepth;
-    request.copyFrames = 1;
-    request.copyBytes = std::uint64_t{512} << 20;
-    return grading::renderScene("floor", folder_.path(), scene, {time}, {},
-                                sandbox::Isolation::none, request);
-  }
-
-private:
-  TemporaryFolder folder_;
-};
 
 /// What a part's truth says about the reference in the part's scene with `change`.
 class Truth : public testing::Test {
 protected:
   truth::Answer ask(const std::string& part, const json& change = json::object(),
                     double time = 0.4) {
-    static const Reference reference;
-    json scene = readJson(kSource / "assignments/floor/scene.json");
-    for (const Part& one : assignment().parts)
-      if (one.id == part) scene.merge_patch(one.scene);
-    scene.merge_patch(change);
-    const grading::Rendering rendering = reference.render(scene, time);
-    if (rendering.happened.outcome != report::Outcome::graded)
-      throw std::runtime_error(rendering.happened.detail);
-    const channel::CapturedFrame& frame = rendering.capture.frames.at(0);
-    const truth::Answer answer = truth::judgeOf(part)(
-        {scene, time, Image::fromBytes(frame.pixels, int(frame.width), int(frame.height)),
-         &rendering.capture.trace});
+    const json scene = extremes::sceneOf("floor", {part}, change);
+    const extremes::Drawn drawn = extremes::draw("floor", scene, {time});
+    const truth::Answer answer =
+        truth::judgeOf(part)({scene, time, drawn.frames.at(0), &drawn.trace});
     for (const truth::Error& error : answer.errors) {
       std::cout << part << " " << change.dump() << " at " << time << " s: " << error.name << " "
                 << error.value << "\n";
