@@ -42,11 +42,7 @@ bool isInner(const World& world, const std::vector<Seen>& all, int x, int y) {
 }
 
 Mirror trace(const truth::Rendered& rendered) {
-  const World world(rendered.scene, rendered.time, rendered.window.width(),
-                    rendered.window.height());
-  if (world.bloom)
-    throw std::invalid_argument(
-        "the mirror's truth is for scenes without bloom: set effects.bloom to false");
+  const World world = worldWithoutBloom(rendered, "the mirror's");
   std::vector<Seen> all = look(world);
   const truth::Light reflection =
       reflections(world, all, rendered.scene.at("mirror").at("blur").get<double>());

@@ -4,6 +4,7 @@
 #include "truth_pyramid.hpp"
 #include "truth_world.hpp"
 
+#include "image/statistics.hpp"
 #include "rubric_pyramid.hpp"
 
 #include <cmath>
@@ -19,8 +20,7 @@ constexpr int kLevels = 6;
 
 /// The light that arrives at the eye, before anything is stored or cut off.
 Light sceneLight(const truth::Rendered& rendered) {
-  const World world(rendered.scene, rendered.time, rendered.window.width(),
-                    rendered.window.height());
+  const World world = worldOf(rendered);
   Light light(world.width, world.height);
   for (int y = 0; y < world.height; ++y)
     for (int x = 0; x < world.width; ++x) {
@@ -45,14 +45,6 @@ Light composite(const Light& scene, const Light& sum, int kind, truth::Edge edge
   Light all = finite(scene);
   addTo(all, 1, apply(sum, upFilter(kind, {sum.width, sum.height}, {all.width, all.height}, edge)));
   return all;
-}
-
-double rmse(const Image& a, const Image& b) {
-  double sum = 0;
-  for (int y = 0; y < a.height(); ++y)
-    for (int x = 0; x < a.width(); ++x)
-      for (int c = 0; c < 3; ++c) sum += std::pow(double(a.at(x, y, c)) - double(b.at(x, y, c)), 2);
-  return std::sqrt(sum / (3.0 * double(a.pixelCount())));
 }
 
 /// Errors; the light that is judged is the largest level after the last addition:
@@ -100,7 +92,7 @@ truth::Answer judge(const truth::Rendered& rendered) {
                    {"bloom relative error", errors.greatest},
                    {"bloom mean relative error", errors.mean},
                    {"energy", errors.energy},
-                   {"window RMSE", rmse(answer.rendered, answer.truth)}};
+                   {"window RMSE", errorStatistics(answer.rendered, answer.truth).rmsError}};
   return answer;
 }
 

@@ -66,11 +66,7 @@ private:
 };
 
 Shadows trace(const truth::Rendered& rendered) {
-  const World world(rendered.scene, rendered.time, rendered.window.width(),
-                    rendered.window.height());
-  if (world.bloom)
-    throw std::invalid_argument(
-        "the shadows' truth is for scenes without bloom: set effects.bloom to false");
+  const World world = worldWithoutBloom(rendered, "the shadows'");
   const MapOfBall map(world);
   const std::vector<Seen> all = look(world);
   const int width = world.width, height = world.height;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace floor_truth {
 
@@ -191,6 +192,18 @@ dvec3 World::shown(const Seen& seen, double visible) const {
   dvec3 all = color(seen.surface, seen.toEye, visible);
   if (mirror && seen.surface.id == kFloor) all += floorSpecular * seen.reflection;
   return all;
+}
+
+World worldOf(const truth::Rendered& rendered) {
+  return {rendered.scene, rendered.time, rendered.window.width(), rendered.window.height()};
+}
+
+World worldWithoutBloom(const truth::Rendered& rendered, const std::string& whose) {
+  World world = worldOf(rendered);
+  if (world.bloom)
+    throw std::invalid_argument(whose +
+                                " truth is for scenes without bloom: set effects.bloom to false");
+  return world;
 }
 
 std::vector<Seen> look(const World& world) {

@@ -88,6 +88,10 @@ private:
   std::unique_ptr<truth::RayScene> rays_;
 };
 
+World worldOf(const truth::Rendered& rendered);
+/// The same. Throws std::invalid_argument, with `whose` truth it is, for a scene with bloom.
+World worldWithoutBloom(const truth::Rendered& rendered, const std::string& whose);
+
 /// Every pixel, row by row.
 std::vector<Seen> look(const World& world);
 
