@@ -64,6 +64,17 @@ std::string tickText(double value, bool error) {
   return value < 1e-5 ? fmt::format("{:.0e}", value) : fmt::format("{:.3g}%", 100 * value);
 }
 
+/// A line and its text at every tick of an upright axis; errors as shares, times as they are.
+std::string linesAcross(const Axis& y, double left, double right, bool error) {
+  std::string lines;
+  for (double tick : y.ticks())
+    lines += fmt::format(
+        "<line class=\"grid\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/><text "
+        "class=\"tick\" x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
+        left, right, y.at(tick), left - 8, y.at(tick) + 4, tickText(tick, error));
+  return lines;
+}
+
 std::string gridOf(const Axis& x, const Axis& y, double left, double right, double top,
                    double bottom) {
   std::string grid;
@@ -72,12 +83,7 @@ std::string gridOf(const Axis& x, const Axis& y, double left, double right, doub
         "<line class=\"grid\" x1=\"{0:.1f}\" x2=\"{0:.1f}\" y1=\"{1}\" y2=\"{2}\"/><text "
         "class=\"tick\" x=\"{0:.1f}\" y=\"{3}\" text-anchor=\"middle\">{4}</text>",
         x.at(tick), top, bottom, bottom + 18, tickText(tick, false));
-  for (double tick : y.ticks())
-    grid += fmt::format(
-        "<line class=\"grid\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/><text "
-        "class=\"tick\" x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}</text>",
-        left, right, y.at(tick), left - 8, y.at(tick) + 4, tickText(tick, true));
-  return grid;
+  return grid + linesAcross(y, left, right, true);
 }
 
 std::string about(const Point& point) {
@@ -141,13 +147,7 @@ std::string curveChart(const Measured& measured, const Curve& curve, bool cost) 
   for (std::size_t index : indices)
     values.push_back(cost ? measured.points[index].ms.median : measured.points[index].error());
   const Axis y(values, kBottom - 8, kTop + 8);
-  std::string marks, line, description;
-  for (double tick : y.ticks())
-    marks +=
-        fmt::format("<line class=\"grid\" x1=\"{0}\" x2=\"{1}\" y1=\"{2:.1f}\" y2=\"{2:.1f}\"/>"
-                    "<text class=\"tick\" x=\"{3}\" y=\"{4:.1f}\" text-anchor=\"end\">{5}"
-                    "</text>",
-                    kLeft, kRight, y.at(tick), kLeft - 8, y.at(tick) + 4, tickText(tick, !cost));
+  std::string marks = linesAcross(y, kLeft, kRight, !cost), line, description;
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const Point& point = measured.points[indices[i]];
     const double u = kLeft + (kRight - kLeft) * (double(i) + 0.5) / double(indices.size());

@@ -1,5 +1,7 @@
 #include "tradeoff/findings.hpp"
 
+#include "gradebook/csv.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,6 +9,8 @@
 #include <cmath>
 
 namespace ggrade::tradeoff {
+
+using gradebook::csvCell;
 
 namespace {
 
@@ -22,16 +26,6 @@ double parseUnit(const std::string& option, const std::string& text,
     if (read.ec == std::errc() && unit == name && std::isfinite(value) && value >= 0)
       return value * factor;
   throw UsageError(fmt::format("{} {}: must be {}", option, text, example));
-}
-
-std::string csvCell(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == text.npos) return text;
-  std::string quoted = "\"";
-  for (char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
 }
 
 std::vector<std::size_t> indicesOf(const Measured& measured, const std::vector<json>& settings) {
@@ -110,10 +104,10 @@ Findings findingsOf(const Measured& measured, const Wishes& wishes) {
 
 std::string csvOf(const Measured& measured, const Table& table) {
   std::string text;
-  for (const std::string& number : table.numbers) text += csvCell(number) + ',';
+  for (const std::string& number : table.numbers) text += csvCell(number, ",") + ',';
   text += "ms,q1,q3";
   for (const truth::Error& error : measured.points.at(table.points.at(0)).errors)
-    text += ',' + csvCell(error.name);
+    text += ',' + csvCell(error.name, ",");
   text += '\n';
   for (std::size_t index : table.points) {
     const Point& point = measured.points[index];
