@@ -161,8 +161,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   // --resume.
   const auto ungraded = [&](const Job& job, const std::string& problem) {
     report::Result result = grading::ungraded(target, report::Outcome::notGradable, problem);
-    result.seed = plan.seed;
-    result.quality = nameOf(plan.quality);
+    grading::nameScenes(plan, result);
     try {
       publish(result, job, {options.out, options.reveal, grader, state.run});
       return problem;

@@ -77,8 +77,7 @@ private:
         result = grading::ungraded(target_, report::Outcome::buildFailed, error.what());
       }
     }
-    result.seed = plan_.seed;
-    result.quality = nameOf(plan_.quality);
+    grading::nameScenes(plan_, result);
     for (const auto* list : {&unpacked.refused, &unpacked.remarks})
       result.unusedFiles.insert(result.unusedFiles.end(), list->begin(), list->end());
     return result;

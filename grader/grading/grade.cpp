@@ -305,6 +305,11 @@ void nameUnsteady(const Rendering& first, const Rendering& again, report::Result
 
 } // namespace
 
+void nameScenes(const ScenePlan& plan, report::Result& result) {
+  result.seed = plan.seed;
+  result.quality = nameOf(plan.quality);
+}
+
 void addUp(report::Result& result) {
   double sum = 0, bonus = 0;
   for (const report::Item& item : result.items)
@@ -365,8 +370,7 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   const Progress progress =
       options.progress ? options.progress : Progress([](const auto&, auto, auto) {});
   report::Result result = built.result;
-  result.seed = plan.seed;
-  result.quality = nameOf(plan.quality);
+  nameScenes(plan, result);
   if (result.outcome != Outcome::graded) return result;
 
   const auto kept =

@@ -48,6 +48,9 @@ struct Built {
   std::filesystem::path program;         ///< the overlaid files and the program
 };
 
+/// Says in a result which scenes it is about.
+void nameScenes(const ScenePlan& plan, report::Result& result);
+
 /// The result of a submission of which nothing was built, for the reason `detail`.
 report::Result ungraded(const Target& target, report::Outcome outcome, const std::string& detail);
 

@@ -155,11 +155,11 @@ public:
   Planner(const Target& target, const fs::path& path, const json& probes, ScenePlan& plan)
       : target_(target), path_(path), probes_(probes), plan_(plan) {}
 
-  /// `round` 0, or 1 for the same scene drawn anew.
-  void add(const json& declared, std::uint64_t index, std::uint64_t round) {
+  /// `parts` as of partsOf; `round` 0, or 1 for the same scene drawn anew.
+  void add(const json& declared, const std::vector<std::string>& parts, std::uint64_t index,
+           std::uint64_t round) {
     // A generator of its own for every scene: adding one leaves the others as they were.
     Drawer drawer(plan_.seed * 0x9e3779b97f4a7c15ull + index + (round << 32));
-    const std::vector<std::string> parts = partsOf(declared, target_);
     // Where several parts are graded, equal names of theirs are told apart.
     const bool prefixed = target_.parts.size() > 1 && declared.contains("parts");
     const auto named = [&](std::string name) {
@@ -215,8 +215,8 @@ private:
 } // namespace
 
 Quality parseQuality(const std::string& name) {
-  for (const Quality quality : {Quality::fast, Quality::balanced, Quality::thorough})
-    if (name == nameOf(quality)) return quality;
+  for (std::size_t i = 0; i < std::size(kQualities); ++i)
+    if (name == kQualities[i]) return Quality(i);
   throw UsageError(
       fmt::format("quality \"{}\": it is one of {}", name, fmt::join(kQualities, ", ")));
 }
@@ -240,7 +240,7 @@ ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder, const
         if (!std::all_of(parts.begin(), parts.end(), graded)) continue;
         if (draw.quality == Quality::fast && declared.contains("like")) continue;
         if (round > 0 && declared.value("public", false)) continue;
-        planner.add(declared, index, round);
+        planner.add(declared, parts, index, round);
       }
     }
     return plan;
