@@ -97,24 +97,34 @@ KeyDeclaration readKey(const std::string& name, const std::string& path, const j
   return key;
 }
 
+json parseObject(std::string_view text, const std::string& name) {
+  json object;
+  try {
+    object = json::parse(text);
+  } catch (const json::exception& error) {
+    throw SceneError(fmt::format("{}: is not valid JSON: {}", name, error.what()));
+  }
+  if (!object.is_object()) throw SceneError(name + ": must be an object: { ... }");
+  return object;
+}
+
 // The settings of one preset.
 Declarations::Preset readPreset(const std::string& name, const std::string& preset,
                                 const json& source,
                                 const std::map<std::string, KeyDeclaration, std::less<>>& keys) {
   const auto refuse = [&](const std::string& what) {
-    throw SceneError(fmt::format("{}: presets.{}: {}", name, preset, what));
+    throw SceneError(fmt::format("{}: {}: {}", name, preset, what));
   };
   if (!source.is_object()) refuse("must be an object of quality keys and their values");
   Declarations::Preset settings;
-  for (const auto& [path, value] : source.items()) {
-    const auto key = keys.find(path);
-    if (key == keys.end() || !path.starts_with("quality."))
-      refuse(fmt::format("\"{}\" is no declared key of quality", path));
+  for (const auto& [number, value] : source.items()) {
+    const auto key = keys.find("quality." + number);
+    if (key == keys.end()) refuse(fmt::format("\"{}\" is no declared key of quality", number));
     const auto converted = detail::convert(key->second, valueOf(value));
     if (!converted)
-      refuse(fmt::format("{} must be {}, but is {}", path, Declarations::describe(key->second),
+      refuse(fmt::format("{} must be {}, but is {}", number, Declarations::describe(key->second),
                          value.dump()));
-    settings.emplace(path, *converted);
+    settings.emplace(key->first, *converted);
   }
   return settings;
 }
@@ -165,14 +175,8 @@ Declarations::Declarations(const std::vector<std::string>& materials) : material
 }
 
 Declarations Declarations::fromText(std::string_view text, const std::string& name) {
-  json assignment;
-  try {
-    assignment = json::parse(text);
-  } catch (const json::exception& error) {
-    throw SceneError(fmt::format("{}: is not valid JSON: {}", name, error.what()));
-  }
+  const json assignment = parseObject(text, name);
   std::vector<std::string> materials;
-  if (!assignment.is_object()) throw SceneError(name + ": must be an object: { ... }");
   for (const json& material : assignment.value("materials", json::array())) {
     const bool usable = material.is_string() && material != "" &&
                         material.get_ref<const std::string&>().find('.') == std::string::npos;
@@ -191,17 +195,22 @@ Declarations Declarations::fromText(std::string_view text, const std::string& na
     if (next != result.keys_.end() && next->first.starts_with(path + "."))
       fail(name, next->first, fmt::format("\"{}\" is a value, so it can't hold others", path));
   }
-  const json presets = assignment.value("presets", json::object());
-  if (!presets.is_object()) throw SceneError(name + ": presets: must be an object");
-  for (const auto& [preset, settings] : presets.items())
-    result.presets_.emplace(preset, readPreset(name, preset, settings, result.keys_));
   return result;
+}
+
+void Declarations::addPresets(std::string_view text, const std::string& name) {
+  const json presets = parseObject(text, name);
+  for (const auto& [preset, settings] : presets.items())
+    presets_[preset] = readPreset(name, preset, settings, keys_);
 }
 
 Declarations Declarations::fromFile(const std::string& file) {
   const std::filesystem::path path = fromUtf8(file);
   try {
-    return fromText(readFile(path), toUtf8(path.filename()));
+    Declarations result = fromText(readFile(path), toUtf8(path.filename()));
+    const std::filesystem::path presets = path.parent_path() / "presets.json";
+    if (std::filesystem::exists(presets)) result.addPresets(readFile(presets), "presets.json");
+    return result;
   } catch (const FileError& error) {
     throw SceneError(error.what());
   }

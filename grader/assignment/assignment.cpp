@@ -160,6 +160,12 @@ bool Target::covers(const std::string& partId) const {
   return std::any_of(parts.begin(), parts.end(), [&](const Part& p) { return p.id == partId; });
 }
 
+std::vector<std::string> Assignment::dataFiles() const {
+  std::vector<std::string> names = {"assignment.json", "scene.json"};
+  if (fs::exists(folder / "presets.json")) names.push_back("presets.json");
+  return names;
+}
+
 std::vector<Assignment> loadAssignments(const fs::path& folder) {
   std::vector<Assignment> all;
   std::error_code none;

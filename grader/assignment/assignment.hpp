@@ -60,6 +60,10 @@ struct Assignment {
   std::vector<Part> parts;
   std::filesystem::path folder; ///< where it was read from
 
+  /// What the program reads beside its own files: assignment.json, scene.json, and presets.json if
+  /// there is one.
+  std::vector<std::string> dataFiles() const;
+
   /// Reads `folder/assignment.json`. Throws UsageError.
   static Assignment load(const std::filesystem::path& folder);
 };

@@ -60,8 +60,10 @@ std::string pointsTable(const Part& part) {
 
 std::string expandHandout(const std::string& text, const std::string& name,
                           const Assignment& assignment,
-                          const std::function<std::string(const std::string&)>& stub) {
+                          const std::function<std::string(const std::string&)>& stub,
+                          const std::function<std::string(const std::string&)>& measured) {
   static const std::regex kExcerpt("\\{\\{excerpt ([A-Za-z0-9_.]+) \"([^\"]+)\"\\}\\}\\s*");
+  static const std::regex kTradeoff("\\{\\{tradeoff( [a-z0-9_]+)?\\}\\}\\s*");
   static const std::regex kPoints("\\{\\{points ([a-z0-9_]+)\\}\\}\\s*");
   std::istringstream in(text);
   std::string out;
@@ -83,8 +85,16 @@ std::string expandHandout(const std::string& text, const std::string& name,
       if (part == assignment.parts.end())
         throw problem(fmt::format("{} has no part {}", assignment.id, match[1].str()));
       out += pointsTable(*part);
+    } else if (std::regex_match(line, match, kTradeoff)) {
+      const std::string part = match[1].length() > 0 ? match[1].str().substr(1) : "";
+      const std::string text = measured(part);
+      if (text.empty())
+        throw problem(fmt::format("{}: nothing was measured; ggrade tradeoff {} --adopt does it",
+                                  line, assignment.id));
+      out += text;
     } else if (line.find("{{") != line.npos) {
-      throw problem(line + " is neither {{excerpt FILE \"ANCHOR\"}} nor {{points PART}}");
+      throw problem(line + " is none of {{excerpt FILE \"ANCHOR\"}}, {{points PART}}, "
+                           "{{tradeoff PART}} and {{tradeoff}}");
     } else {
       out += line + '\n';
     }

@@ -13,10 +13,12 @@ namespace ggrade::authoring {
 /// Replaces directives, each alone on its line. `{{excerpt FILE "ANCHOR"}}` becomes a fenced code
 /// block: the lines of `stub(FILE)` from the first one that contains ANCHOR to the end of what
 /// begins there (the line that closes its braces, or the line itself). `{{points PART}}` becomes a
-/// table of the part's rubric items. Throws UsageError as `name:line: ...` when the file, the
+/// table of the part's rubric items, `{{tradeoff PART}}` (or without a part) `measured(PART)`: what
+/// was measured of time and error. Throws UsageError as `name:line: ...` when the file, the
 /// anchor or the part isn't there.
 std::string expandHandout(const std::string& text, const std::string& name,
                           const Assignment& assignment,
-                          const std::function<std::string(const std::string& file)>& stub);
+                          const std::function<std::string(const std::string& file)>& stub,
+                          const std::function<std::string(const std::string& part)>& measured);
 
 } // namespace ggrade::authoring

@@ -9,6 +9,7 @@
 #include "grading/workspace.hpp"
 #include "image/png.hpp"
 #include "report/write_file.hpp"
+#include "tradeoff/adopted.hpp"
 
 #include <fmt/format.h>
 
@@ -48,7 +49,7 @@ channel::Capture draw(const Assignment& assignment, const fs::path& solutions,
                       const std::vector<double>& times, const std::string& name) {
   grading::TemporaryFolder work;
   writeSources(assignment, solutions, filled, work.path());
-  for (const char* file : {"assignment.json", "scene.json"})
+  for (const std::string& file : assignment.dataFiles())
     fs::copy_file(assignment.folder / file, work.path() / file);
   const grading::Happened built =
       grading::buildProgram(assignment.id, work.path(), sandbox::Isolation::none);
@@ -112,14 +113,34 @@ void writePictures(const Assignment& assignment, const fs::path& solutions, cons
   }
 }
 
+/// presets.json and the charts of what `tradeoff --adopt` kept. Returns its figures; null if it has
+/// kept nothing.
+json writeMeasured(const fs::path& adopted, const fs::path& into) {
+  if (!fs::exists(adopted)) return nullptr;
+  const json figures = readJson(adopted / "figures.json");
+  const json presets = tradeoff::adoptedPresets(figures);
+  std::string text;
+  for (const auto& [name, numbers] : presets.items())
+    text += fmt::format("{}  \"{}\": {}", text.empty() ? "" : ",\n", name, numbers.dump());
+  report::writeFile(into / "presets.json", "{\n" + text + "\n}\n");
+  for (const fs::directory_entry& entry : fs::directory_iterator(adopted))
+    if (entry.path().extension() == ".svg")
+      report::writeFile(into / "handout" / entry.path().filename(), readFile(entry.path()));
+  return figures;
+}
+
 /// README.md from the solution's handout.md, and PART.md from its PART.md.
-void writeTexts(const Assignment& assignment, const fs::path& solutions, const fs::path& into) {
+void writeTexts(const Assignment& assignment, const fs::path& solutions, const json& figures,
+                const fs::path& into) {
   const auto stub = [&](const std::string& file) {
     return authoring::withFilled(readFile(solutions / file), file, {});
   };
+  const auto measured = [&](const std::string& part) {
+    return figures.empty() ? "" : tradeoff::handoutText(figures, part);
+  };
   const auto write = [&](const fs::path& from, const fs::path& to) {
-    report::writeFile(to,
-                      authoring::expandHandout(readFile(from), from.string(), assignment, stub));
+    report::writeFile(
+        to, authoring::expandHandout(readFile(from), from.string(), assignment, stub, measured));
   };
   write(solutions / "handout.md", into / "README.md");
   for (const Part& part : assignment.parts)
@@ -147,8 +168,9 @@ void derive(const Options& options) {
   const fs::path into = options.out.empty() ? assignment.folder : fs::path(options.out);
   report::makeFolder(into / "handout");
   writeSources(assignment, solutions, {}, into);
+  const json figures = writeMeasured(solutions / "tradeoff", into);
   if (fs::exists(solutions / "handout.md")) {
-    writeTexts(assignment, solutions, into);
+    writeTexts(assignment, solutions, figures, into);
     if (!options.noPictures) writePictures(assignment, solutions, into / "handout");
   }
   fmt::print("{}: stub and handout are in step with {}\n", into.string(), solutions.string());

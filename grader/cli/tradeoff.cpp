@@ -3,7 +3,7 @@
 #include "cli/terminal.hpp"
 #include "grading/workspace.hpp"
 #include "report/write_file.hpp"
-#include "tradeoff/page.hpp"
+#include "tradeoff/adopted.hpp"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ struct Options {
   std::string id, out, budget, error;
   std::vector<std::string> only;
   tradeoff::Effort effort;
-  bool growth = false, noGrowth = false, json = false;
+  bool growth = false, noGrowth = false, json = false, adopt = false;
 };
 
 /// What is measured of one assignment.
@@ -58,13 +58,13 @@ std::vector<Work> workOf(const Options& options) {
 }
 
 json jsonOf(const tradeoff::PageAssignment& of) {
-  json sweeps = json::array(), growth = json::array(), memory = json::array();
+  json sweeps = json::array(), growth = json::array(), saved = json::array();
   for (std::size_t i = 0; i < of.measured.size(); ++i)
     sweeps.push_back(tradeoff::jsonOf(of.measured[i], of.findings[i]));
   for (const auto& row : of.growth) growth.push_back(tradeoff::jsonOf(row));
-  for (const auto& row : of.memory) memory.push_back(tradeoff::jsonOf(row));
+  for (const auto& row : of.saved) saved.push_back(tradeoff::jsonOf(row));
   return {{"assignment", of.id}, {"complete", of.complete}, {"machine", json(of.machine)},
-          {"sweeps", sweeps},    {"growth", growth},        {"memory", memory}};
+          {"sweeps", sweeps},    {"growth", growth},        {"saved", saved}};
 }
 
 json jsonOf(const std::vector<tradeoff::PageAssignment>& all) {
@@ -81,8 +81,9 @@ void publish(const std::vector<tradeoff::PageAssignment>& all, const fs::path& o
     for (std::size_t i = 0; i < assignment.measured.size(); ++i) {
       const auto& [measured, findings] = std::tie(assignment.measured[i], assignment.findings[i]);
       for (const tradeoff::Table& table : findings.tables) {
-        report::writeFile(folder / (table.name() + ".csv"), tradeoff::csvOf(measured, table));
-        report::writeFile(folder / (table.name() + ".json"),
+        const std::string name = table.name() + measured.sweep.suffix;
+        report::writeFile(folder / (name + ".csv"), tradeoff::csvOf(measured, table));
+        report::writeFile(folder / (name + ".json"),
                           tradeoff::jsonOf(measured, findings, table).dump(1) + '\n');
       }
     }
@@ -95,13 +96,32 @@ void publish(const std::vector<tradeoff::PageAssignment>& all, const fs::path& o
   work.publish(out);
 }
 
+/// Keeps what handouts and scenes use (tradeoff/adopted.hpp) with the solution.
+void adopt(const tradeoff::PageAssignment& measured, const fs::path& folder) {
+  fs::remove_all(folder);
+  report::makeFolder(folder);
+  report::writeFile(folder / "figures.json", jsonOf(measured).dump(1) + '\n');
+  for (std::size_t i = 0; i < measured.measured.size(); ++i) {
+    const tradeoff::Measured& sweep = measured.measured[i];
+    report::writeFile(folder / tradeoff::chartFile(sweep.sweep.part, sweep.sweep.name),
+                      tradeoff::chartSvg(sweep, measured.findings[i]));
+  }
+}
+
 void measure(const Options& options) {
   tradeoff::Wishes wishes;
+  if (options.adopt && !options.only.empty())
+    throw UsageError("--adopt needs everything measured: leave out --only");
   if (!options.budget.empty()) wishes.budgetMs = tradeoff::parseMs(options.budget);
   if (!options.error.empty()) wishes.error = tradeoff::parseError(options.error);
   const fs::path out = outputFolder(options.out);
   const std::vector<Work> works = workOf(options);
-  for (const Work& work : works) tradeoff::requireTruths(work.plan, work.solutions);
+  for (const Work& work : works) {
+    tradeoff::requireTruths(work.plan, work.solutions);
+    if (options.adopt && work.plan.parts.size() < work.assignment.parts.size())
+      throw UsageError(fmt::format("--adopt needs everything measured: name {} instead of {}",
+                                   work.assignment.id, options.id));
+  }
   const bool growth = options.growth || (!options.noGrowth && options.only.empty());
   std::vector<tradeoff::PageAssignment> all;
   std::string text;
@@ -119,13 +139,18 @@ void measure(const Options& options) {
       publish(all, out);
     }
     if (growth) {
-      all.back().memory = bench.memory(work.plan);
+      all.back().saved = bench.saved(work.plan);
       all.back().growth = bench.growth(work.plan);
-      text += tradeoff::textOf(all.back().growth) + '\n' + tradeoff::textOf(all.back().memory);
+      text += tradeoff::textOf(all.back().growth) + '\n' + tradeoff::textOf(all.back().saved);
     }
     all.back().complete = true;
     progress.clear();
     publish(all, out);
+    if (options.adopt) {
+      adopt(all.back(), work.solutions / "tradeoff");
+      text += fmt::format("{} is new: now run ggrade derive {}\n",
+                          (work.solutions / "tradeoff").string(), work.assignment.id);
+    }
   }
   if (options.json)
     std::cout << jsonOf(all).dump(2) << '\n';
@@ -152,26 +177,31 @@ void addTradeoff(CLI::App& app) {
   command->add_option("--frames", options->effort.frames, "So many frames of a run are timed")
       ->check(CLI::Range(1U, channel::kMaxFrames - tradeoff::kWarmUp))
       ->capture_default_str();
-  auto* growth = command->add_flag(
-      "--growth", options->growth,
-      "With --only, too: how cost grows with pixels, objects and triangles; memory by scene");
-  command->add_flag("--no-growth", options->noGrowth, "Leave these out")->excludes(growth);
+  auto* growth = command->add_flag("--growth", options->growth,
+                                   "With --only, too: how cost grows with pixels, objects and "
+                                   "triangles; what a scene doesn't need");
+  auto* noGrowth =
+      command->add_flag("--no-growth", options->noGrowth, "Leave these out")->excludes(growth);
+  command
+      ->add_flag("--adopt", options->adopt,
+                 "Keep tables, charts and presets with the solution: ggrade derive puts them into "
+                 "the handouts")
+      ->excludes(noGrowth);
   command->add_flag("--json", options->json, "Print tradeoff.json on stdout");
   command->footer(
-      "What is swept stands in solutions/ID/quality.json. Time is what a part costs: all passes of "
-      "a\n"
-      "frame, less the same scene without it. The error is the truth's (solutions/ID/truth.cpp). "
-      "One\n"
-      "program runs at a time; leave the machine alone meanwhile. DIR/index.html is the page,\n"
-      "DIR/ID/NUMBER.csv and .json the figures, DIR/ID/presets.json has fast, balanced, accurate "
-      "and\n"
-      "reference. They are written after every scene: what is broken off later leaves them.\n"
+      "What is swept stands in solutions/ID/quality.json. Time is what a part costs: all passes\n"
+      "of a frame, less the same scene without it. The error is the truth's\n"
+      "(solutions/ID/truth.cpp). One program runs at a time; leave the machine alone meanwhile.\n"
+      "DIR/index.html is the page, DIR/ID/NUMBER.csv and .json the figures (NUMBER.SCENE for a\n"
+      "number's second scene), DIR/ID/presets.json has fast, balanced, accurate and reference.\n"
+      "They are written after every scene: what is broken off later leaves them.\n"
       "Exit codes: 0 measured, 1 the reference failed, 2 usage, 130 broken off.\n\n"
       "Examples:\n"
       "  ggrade tradeoff floor --out out/tradeoff\n"
       "  ggrade tradeoff shadow --out out/shadow --budget 5ms\n"
       "  ggrade tradeoff floor --out out/fine --error 1% --rounds 10\n"
-      "  ggrade tradeoff mirror --out out/size --only mirror_size");
+      "  ggrade tradeoff mirror --out out/size --only mirror_size\n"
+      "  ggrade tradeoff floor --out out/tradeoff --adopt && ggrade derive floor");
   command->callback([options] { measure(*options); });
 }
 

@@ -77,7 +77,7 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
                                  fs::exists(upload) ? "is not a folder" : "there is no such folder",
                                  fmt::join(assignment.files, ", ")));
   Overlay result;
-  for (const char* name : {"assignment.json", "scene.json"})
+  for (const std::string& name : assignment.dataFiles())
     writeFile(into / name, readFile(assignment.folder / name));
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(upload))

@@ -45,10 +45,12 @@ std::string hashOfFiles(const fs::path& folder) {
 std::string hashOfProgram(const Assignment& assignment, const fs::path& sources) {
   json declared = readJson(assignment.folder / "assignment.json");
   for (json& part : declared.at("parts")) part.erase("items");
-  std::string all = hashOf(declared.dump()) + hashOf(readFile(assignment.folder / "scene.json"));
+  std::string all = hashOf(declared.dump());
   const auto add = [&](const std::string& name, const fs::path& file) {
     all += name + ' ' + hashOf(readFile(file)) + '\n';
   };
+  for (const std::string& name : assignment.dataFiles())
+    if (name != "assignment.json") add(name, assignment.folder / name);
   for (const std::string& name : ownFiles(assignment, sources)) add(name, sources / name);
   for (const std::string& name : assignment.files) // the handed-out ones stand in
     if (!fs::exists(sources / name)) add(name, assignment.folder / name);

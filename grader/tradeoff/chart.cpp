@@ -91,6 +91,14 @@ std::string about(const Point& point) {
                                point.errors[0].name, errorText(point.error())));
 }
 
+/// "fast, balanced": the presets that are this point.
+std::string presetsAt(const Findings& findings, std::size_t point) {
+  std::string names;
+  for (const Preset& preset : findings.presets)
+    if (preset.point == point) names += (names.empty() ? "" : ", ") + preset.name;
+  return names;
+}
+
 /// Opens an image that a screen reader can name and describe; IDs are the page's own.
 std::string openSvg(double width, double height, const std::string& id, const std::string& title,
                     const std::string& description, const char* kind) {
@@ -102,7 +110,7 @@ std::string openSvg(double width, double height, const std::string& id, const st
 
 } // namespace
 
-std::string frontChart(const Measured& measured, const Findings& findings) {
+std::string frontChart(const Measured& measured, const Findings& findings, Labels labels) {
   constexpr double kWidth = 1040, kHeight = 460, kLeft = 76, kRight = 1016, kTop = 26,
                    kBottom = 400;
   const std::vector<Point>& points = measured.points;
@@ -121,11 +129,13 @@ std::string frontChart(const Measured& measured, const Findings& findings) {
     const Point& point = points[findings.front[i]];
     const double u = x.at(point.ms.median), v = y.at(point.error());
     line += fmt::format("{}{:.1f},{:.1f}", i == 0 ? "" : " ", u, v);
-    // By turns above and below, so that neighbours' numbers don't meet.
+    const std::string label =
+        labels == Labels::places ? std::to_string(i + 1) : presetsAt(findings, findings.front[i]);
+    // By turns above and below, so that neighbours' labels don't meet.
     front += fmt::format("<circle class=\"best\" cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"5.5\"><title>{2}"
                          "</title></circle><text class=\"label\" x=\"{0:.1f}\" y=\"{3:.1f}\" "
                          "text-anchor=\"middle\">{4}</text>",
-                         u, v, about(point), i % 2 == 0 ? v - 11 : v + 21, i + 1);
+                         u, v, about(point), i % 2 == 0 ? v - 11 : v + 21, label);
     description += fmt::format("{}{}: {}.", i == 0 ? "" : " ", i + 1, about(point));
   }
   const Sweep& sweep = measured.sweep;

@@ -6,9 +6,12 @@
 
 namespace ggrade::tradeoff {
 
-/// All settings, time against error, both as logarithms; the front's are joined and numbered from 1
-/// as in the page's table.
-std::string frontChart(const Measured& measured, const Findings& findings);
+/// What stands at the points of a front: their places from 1, as in the page's table, or the names
+/// of the presets among them.
+enum class Labels { places, presets };
+
+/// All settings, time against error, both as logarithms; the front's are joined.
+std::string frontChart(const Measured& measured, const Findings& findings, Labels labels);
 
 /// One number alone: its values in a row, their error (`what` "error") or cost ("time") as a
 /// logarithm.

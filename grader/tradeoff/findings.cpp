@@ -162,6 +162,9 @@ json jsonOf(const Measured& measured, const Findings& findings) {
   }
   return {{"part", measured.sweep.part},
           {"scene_name", measured.sweep.name},
+          {"about", measured.sweep.about},
+          {"size", measured.sweep.scene.at("size")},
+          {"error", measured.points.at(0).errors.at(0).name},
           {"settings", measured.points.size()},
           {"frame_without_ms", measured.offMs.median},
           {"front", front},
@@ -179,8 +182,11 @@ json jsonOf(const GrowthRow& row) {
   return all;
 }
 
-json jsonOf(const MemoryRow& row) {
-  return {{"scene", row.name}, {"image_bytes", row.bytes}, {"compared_with", row.against}};
+json jsonOf(const SavedRow& row) {
+  const auto needOf = [](const Need& need) {
+    return json{{"passes", need.passes}, {"image_bytes", need.bytes}, {"ms", need.ms.median}};
+  };
+  return {{"scene", row.name}, {"needed", needOf(row.needed)}, {"against", needOf(row.against)}};
 }
 
 json pasteOf(const json& setting) {
@@ -193,7 +199,8 @@ json presetsJson(const std::vector<Measured>& all, const std::vector<Findings>& 
     for (const Preset& preset : findings[i].presets) {
       json& entry = parts[all[i].sweep.part][preset.name];
       entry["rule"] = preset.rule;
-      entry["quality"].update(all[i].points[preset.point].setting);
+      for (const auto& [number, value] : all[i].points[preset.point].setting.items())
+        entry["quality"].emplace(number, value);
     }
   return parts;
 }
@@ -239,11 +246,14 @@ std::string textOf(const std::vector<GrowthRow>& rows) {
   return text;
 }
 
-std::string textOf(const std::vector<MemoryRow>& rows) {
+std::string textOf(const std::vector<SavedRow>& rows) {
   std::string text;
-  for (const MemoryRow& row : rows)
-    text += fmt::format("memory, {}: {:.1f} instead of {:.1f} MiB\n", row.name,
-                        double(row.bytes) / (1 << 20), double(row.against) / (1 << 20));
+  for (const SavedRow& row : rows)
+    text += fmt::format("saved, {}: {} instead of {} passes, {:.1f} instead of {:.1f} MiB, {} "
+                        "instead of {}\n",
+                        row.name, row.needed.passes, row.against.passes,
+                        double(row.needed.bytes) / (1 << 20), double(row.against.bytes) / (1 << 20),
+                        msText(row.needed.ms.median), msText(row.against.ms.median));
   return text;
 }
 

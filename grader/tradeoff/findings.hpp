@@ -56,18 +56,18 @@ json jsonOf(const Measured& measured, const Findings& findings, const Table& tab
 /// Front, presets, advice, sentences.
 json jsonOf(const Measured& measured, const Findings& findings);
 json jsonOf(const GrowthRow& row);
-json jsonOf(const MemoryRow& row);
+json jsonOf(const SavedRow& row);
 
 /// `{"quality": {...}}`: what to paste into scene.json.
 json pasteOf(const json& setting);
 
 /// The presets of the parts: part to preset to `{"quality": ..., "rule": ...}`; the numbers of a
-/// part's several scenes stand together.
+/// part's several scenes stand together, each as the first scene that sweeps it has it.
 json presetsJson(const std::vector<Measured>& all, const std::vector<Findings>& findings);
 
 /// For the terminal.
 std::string textOf(const Measured& measured, const Findings& findings);
 std::string textOf(const std::vector<GrowthRow>& rows);
-std::string textOf(const std::vector<MemoryRow>& rows);
+std::string textOf(const std::vector<SavedRow>& rows);
 
 } // namespace ggrade::tradeoff

@@ -115,6 +115,7 @@ truth::Answer Bench::judge(const Sweep& sweep, const json& scene) {
   truth::Rendered rendered;
   rendered.scene = scene;
   rendered.time = sweep.time;
+  rendered.truth = sweep.truth;
   rendered.window = rubric::toImage(grading::rawFrames(rendering.capture).at(0));
   rendered.trace = &rendering.capture.trace;
   truth::Answer answer = truth::judgeOf(sweep.part)(rendered);
@@ -185,17 +186,25 @@ std::vector<GrowthRow> Bench::growth(const Plan& plan) {
   return rows;
 }
 
-std::vector<MemoryRow> Bench::memory(const Plan& plan) {
-  std::vector<MemoryRow> rows;
+std::vector<SavedRow> Bench::saved(const Plan& plan) {
+  std::vector<json> scenes;
+  std::vector<std::size_t> off;
+  for (const SavedCase& saved : plan.saved)
+    for (const json& scene : {saved.scene, saved.against}) {
+      off.push_back(scenes.size());
+      scenes.push_back(scene);
+    }
+  const Timed timed = time(scenes, off, 0, "work saved");
   trace::Request request{};
   request.passes = 1;
-  for (const MemoryCase& memory : plan.memory) {
-    progress_("memory", rows.size(), plan.memory.size());
-    const auto bytes = [&](const json& scene) {
-      return run(scene, {0.0}, request).capture.trace.frames.at(0).imageBytes;
-    };
-    rows.push_back({memory.name, bytes(memory.scene), bytes(memory.against)});
+  std::vector<Need> needs;
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    const trace::Trace trace = run(scenes[i], {0.0}, request).capture.trace;
+    needs.push_back({trace.passesOf(0).size(), trace.frames.at(0).imageBytes, timed.whole[i]});
   }
+  std::vector<SavedRow> rows;
+  for (std::size_t i = 0; i < plan.saved.size(); ++i)
+    rows.push_back({plan.saved[i].name, needs[2 * i], needs[2 * i + 1]});
   return rows;
 }
 

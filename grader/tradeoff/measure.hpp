@@ -37,10 +37,17 @@ struct GrowthRow {
   std::optional<Growth> growth;
 };
 
-/// Bytes of the textures and renderbuffers that the program held.
-struct MemoryRow {
+/// What a frame takes.
+struct Need {
+  std::size_t passes = 0;
+  std::uint64_t bytes = 0; ///< of the textures and renderbuffers that the program holds
+  Spread ms;
+};
+
+/// What a scene takes, and what it would take.
+struct SavedRow {
   std::string name;
-  std::uint64_t bytes = 0, against = 0;
+  Need needed, against;
 };
 
 /// Throws UsageError unless every part that is swept has a truth.
@@ -56,7 +63,7 @@ public:
   /// Throws std::runtime_error naming the setting where a run fails, Interrupted.
   Measured measure(const Sweep& sweep);
   std::vector<GrowthRow> growth(const Plan& plan);
-  std::vector<MemoryRow> memory(const Plan& plan);
+  std::vector<SavedRow> saved(const Plan& plan);
 
   /// What the times depend on: the renderer and its settings.
   const std::vector<std::pair<std::string, std::string>>& machine() const { return machine_; }

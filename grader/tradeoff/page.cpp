@@ -76,7 +76,7 @@ Data sweepOf(const Measured& measured, const Findings& findings) {
   const auto size = sweep.scene.at("size");
   data["size"] = Data(fmt::format("{}x{}", size[0].dump(), size[1].dump()));
   data["truthPicture"] = optional(report::pngDataUri(measured.truth));
-  data["chart"] = Data(frontChart(measured, findings));
+  data["chart"] = Data(frontChart(measured, findings, Labels::places));
   for (std::size_t i = 0; i < findings.front.size(); ++i)
     front << pointOf(measured.points[findings.front[i]], std::to_string(i + 1));
   for (const Preset& preset : findings.presets)
@@ -115,24 +115,23 @@ Data growthOf(const GrowthRow& row) {
   return data;
 }
 
-Data memoryOf(const MemoryRow& row) {
+Data savedOf(const SavedRow& row) {
   Data data;
-  data["memoryName"] = line(row.name);
-  data["needs"] = Data(megabytes(row.bytes));
-  data["instead"] = Data(megabytes(row.against));
-  data["saved"] =
-      Data(row.against > row.bytes
-               ? fmt::format("{:.0f}%", 100 - 100.0 * double(row.bytes) / double(row.against))
-               : std::string("nothing"));
+  data["savedName"] = line(row.name);
+  data["passes"] = Data(fmt::format("{} of {}", row.needed.passes, row.against.passes));
+  data["memory"] =
+      Data(fmt::format("{} of {}", megabytes(row.needed.bytes), megabytes(row.against.bytes)));
+  data["frame"] =
+      Data(fmt::format("{} of {}", msText(row.needed.ms.median), msText(row.against.ms.median)));
   return data;
 }
 
 Data assignmentOf(const PageAssignment& assignment) {
-  Data data, sweeps = makeList(), growth = makeList(), memory = makeList();
+  Data data, sweeps = makeList(), growth = makeList(), saved = makeList();
   for (std::size_t i = 0; i < assignment.measured.size(); ++i)
     sweeps << sweepOf(assignment.measured[i], assignment.findings[i]);
   for (const GrowthRow& row : assignment.growth) growth << growthOf(row);
-  for (const MemoryRow& row : assignment.memory) memory << memoryOf(row);
+  for (const SavedRow& row : assignment.saved) saved << savedOf(row);
   std::string machine;
   for (const auto& [name, value] : assignment.machine)
     machine += fmt::format("{}{} {}", machine.empty() ? "" : ", ", name, value);
@@ -142,8 +141,8 @@ Data assignmentOf(const PageAssignment& assignment) {
   data["sweeps"] = std::move(sweeps);
   data["hasGrowth"] = Data(!assignment.growth.empty());
   data["growth"] = std::move(growth);
-  data["hasMemory"] = Data(!assignment.memory.empty());
-  data["memory"] = std::move(memory);
+  data["hasSaved"] = Data(!assignment.saved.empty());
+  data["saved"] = std::move(saved);
   data["machine"] = line(machine);
   data["effort"] = Data(
       fmt::format("{} rounds of {} frames", assignment.effort.rounds, assignment.effort.frames));

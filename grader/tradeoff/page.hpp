@@ -12,7 +12,7 @@ struct PageAssignment {
   std::vector<Measured> measured;
   std::vector<Findings> findings; ///< one to each of `measured`
   std::vector<GrowthRow> growth;
-  std::vector<MemoryRow> memory;
+  std::vector<SavedRow> saved;
   std::vector<std::pair<std::string, std::string>> machine;
   Effort effort;
   bool complete = true; ///< false: the measurement is still under way, or was broken off

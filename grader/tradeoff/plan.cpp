@@ -105,7 +105,7 @@ std::vector<std::string> namesOf(const Sweep& sweep) {
 Sweep readSweep(const Reader& reader, const json& base, const json& off, const json& read,
                 const std::string& part, const std::string& at) {
   reader.checkKeys(read, at,
-                   {"name", "about", "time", "scene", "numbers", "together", "reference"});
+                   {"name", "about", "time", "scene", "truth", "numbers", "together", "reference"});
   Sweep sweep;
   sweep.part = part;
   sweep.name = reader.text(read, at, "name");
@@ -117,6 +117,7 @@ Sweep readSweep(const Reader& reader, const json& base, const json& off, const j
   if (!time.is_number() || time.get<double>() < 0)
     reader.fail(at + ".time", fmt::format("must be seconds from 0, but is {}", time.dump()));
   sweep.time = time;
+  sweep.truth = read.value("truth", json());
   sweep.scene = reader.scene(base, read.value("scene", json::object()), at + ".scene");
   sweep.off = reader.scene(sweep.scene, off, "parts." + part + ".off");
   const json& numbers = reader.get(read, at, "numbers");
@@ -172,16 +173,16 @@ Series readSeries(const Reader& reader, const json& base, const json& read, cons
   return series;
 }
 
-MemoryCase readMemory(const Reader& reader, const json& base, const json& read,
-                      const std::string& at) {
+SavedCase readSaved(const Reader& reader, const json& base, const json& read,
+                    const std::string& at) {
   reader.checkKeys(read, at, {"name", "scene", "against"});
-  MemoryCase memory;
-  memory.name = reader.text(read, at, "name");
-  memory.scene = reader.scene(base, read.value("scene", json::object()), at + ".scene");
-  memory.against = reader.scene(memory.scene,
-                                read.value("against", json{{"debug", {{"draw_all_passes", true}}}}),
-                                at + ".against");
-  return memory;
+  SavedCase saved;
+  saved.name = reader.text(read, at, "name");
+  saved.scene = reader.scene(base, read.value("scene", json::object()), at + ".scene");
+  saved.against =
+      reader.scene(saved.scene, read.value("against", json{{"debug", {{"draw_all_passes", true}}}}),
+                   at + ".against");
+  return saved;
 }
 
 /// The values of the numbers in `names`, all combinations of them, over `setting`.
@@ -206,7 +207,7 @@ Plan readPlan(const Assignment& assignment, const std::vector<std::string>& part
               const fs::path& file) {
   const json read = readJson(file);
   const Reader reader(assignment, file);
-  reader.checkKeys(read, "", {"size", "parts", "amounts", "growth", "memory"});
+  reader.checkKeys(read, "", {"size", "parts", "amounts", "growth", "saved"});
   Plan plan;
   std::set<std::string> known;
   const json size = {{"size", reader.get(read, "size", "size")}};
@@ -227,13 +228,14 @@ Plan readPlan(const Assignment& assignment, const std::vector<std::string>& part
     const bool wanted = std::find(parts.begin(), parts.end(), part) != parts.end();
     if (wanted) plan.parts.push_back({part, shown, reader.scene(shown, off, at + ".off")});
     std::size_t index = 0;
+    std::set<std::string> names;
     for (const json& scene : reader.list(settings, at, "scenes")) {
       const std::string key = fmt::format("{}.scenes[{}]", at, index++);
       Sweep sweep = readSweep(reader, base, off, scene, part, key);
+      if (!names.insert(sweep.name).second)
+        reader.fail(key + ".name", fmt::format("\"{}\" is another scene of this part", sweep.name));
       for (const Number& number : sweep.numbers)
-        if (!known.insert(number.name).second)
-          reader.fail(key + ".numbers." + number.name,
-                      "is swept in another scene, too; a number is swept in one");
+        if (!known.insert(number.name).second) sweep.suffix = '.' + sweep.name;
       if (wanted) plan.sweeps.push_back(std::move(sweep));
     }
   }
@@ -251,9 +253,9 @@ Plan readPlan(const Assignment& assignment, const std::vector<std::string>& part
   for (const json& series : read.value("growth", json::array()))
     plan.growth.push_back(
         readSeries(reader, whole, series, fmt::format("growth[{}]", plan.growth.size())));
-  for (const json& memory : read.value("memory", json::array()))
-    plan.memory.push_back(
-        readMemory(reader, plain, memory, fmt::format("memory[{}]", plan.memory.size())));
+  for (const json& saved : read.value("saved", json::array()))
+    plan.saved.push_back(
+        readSaved(reader, plain, saved, fmt::format("saved[{}]", plan.saved.size())));
   return plan;
 }
 

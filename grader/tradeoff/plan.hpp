@@ -10,6 +10,7 @@
 ///           first "scenes": [ {
 ///             "name": "sharp", "about": "...", "time": 0.21,
 ///             "scene": { ... },                    merged over scene.json and the part's scene
+///             "truth": { "light_radius": 0.1 },    what the part's truth is told besides
 ///             "numbers": { "mirror_size": [64, 128, ...] },   from the least to the most
 ///             "together": [["mirror_size", "mirror_clip"]],
 ///             "reference": { "mirror_clip": 1 }    where the last value is not the best
@@ -18,12 +19,12 @@
 ///       },
 ///       "amounts": ["mirror_size"],                numbers whose cost has an exponent
 ///       "growth": [ { "name": "objects", "steps": [ { "value": 1, "scene": {...} }, ... ] } ],
-///       "memory": [ { "name": "...", "scene": {...}, "against": {...} } ]
+///       "saved": [ { "name": "...", "scene": {...}, "against": {...} } ]
 ///     }
 ///
 /// A step of growth may say `"sphere": 16` instead of a value: its mesh is then a sphere of so many
 /// rings that is made for it, and its value the number of triangles. `against` is what the scene's
-/// memory is compared with, a patch of it; without one all passes are drawn.
+/// needs are compared with, a patch of it; without one all passes are drawn.
 
 #include "assignment/assignment.hpp"
 
@@ -50,8 +51,10 @@ struct Sweep {
   json scene; ///< whole
   json off;   ///< whole, without what the part adds
   double time = 0;
+  json truth; ///< what the part's truth is told besides; null for nothing
   std::vector<Number> numbers;
   std::vector<std::vector<std::string>> together;
+  std::string suffix; ///< of its files: ".soft" if an earlier scene sweeps one of its numbers
   json reference =
       json::object(); ///< the best values of numbers whose last value is not their best
 };
@@ -69,7 +72,7 @@ struct Series {
 };
 
 /// What a scene needs is compared with what it would need.
-struct MemoryCase {
+struct SavedCase {
   std::string name;
   json scene, against; ///< whole
 };
@@ -84,7 +87,7 @@ struct Plan {
   std::vector<PartScenes> parts;
   std::vector<Sweep> sweeps;
   std::vector<Series> growth;
-  std::vector<MemoryCase> memory;
+  std::vector<SavedCase> saved;
 };
 
 /// Reads `file` for the parts with these IDs. Throws UsageError that names the file, the key and

@@ -20,6 +20,7 @@ struct Rendered {
   double time = 0;                     ///< seconds
   Image window;                        ///< RGBA, 0 to 1, row 0 on top
   const trace::Trace* trace = nullptr; ///< its passes with copies of every attachment, frame 0
+  nlohmann::json truth = {};           ///< what the truth is told besides, see the part's judge
 };
 
 /// How far a picture is from the truth.

@@ -1,4 +1,4 @@
-// Shadows held against ray-traced hard shadows.
+// Shadows held against ray-traced shadows of a point, or of a round light.
 
 #include "truth_world.hpp"
 
@@ -25,6 +25,7 @@ constexpr double kTellable = 4.0 / 255;
 struct Point {
   bool judged = false; ///< faces the light, light shows, no silhouette beside it
   bool inShadow = false;
+  double share = 1; ///< of the light that is seen
   bool onMap = false;
   dvec2 map{0};          ///< on a shadow map that sees all objects, -1 to 1
   dvec3 lit{0}, dark{0}; ///< as the window shows it
@@ -65,7 +66,13 @@ private:
   double tangent_ = 5;
 };
 
+/// The light's radius, world space; 0 for a point.
+double lightRadius(const truth::Rendered& rendered) {
+  return rendered.truth.is_null() ? 0 : rendered.truth.value("light_radius", 0.0);
+}
+
 Shadows trace(const truth::Rendered& rendered) {
+  const double radius = lightRadius(rendered);
   const World world = worldWithoutBloom(rendered, "the shadows'");
   const MapOfBall map(world);
   const std::vector<Seen> all = look(world);
@@ -79,6 +86,7 @@ Shadows trace(const truth::Rendered& rendered) {
     point.lit = cut(world.shown(all[i], 1)), point.dark = cut(world.shown(all[i], 0));
     if (surface.id != kNothing) {
       point.inShadow = world.inShadow(surface);
+      point.share = radius > 0 ? world.shareOfLight(surface, radius) : point.inShadow ? 0 : 1;
       point.onMap = map.project(surface.position, point.map);
       const dvec3 toLight = world.light - surface.position;
       const dvec3 apart = glm::abs(point.lit - point.dark);
@@ -86,7 +94,7 @@ Shadows trace(const truth::Rendered& rendered) {
                      glm::dot(surface.face, toLight) > 0 &&
                      std::max({apart.x, apart.y, apart.z}) >= kTellable;
     }
-    picture.pixels[i] = point.inShadow ? point.dark : point.lit;
+    picture.pixels[i] = glm::mix(point.dark, point.lit, point.share);
   }
   made.picture = imageOf(picture);
 
@@ -145,7 +153,35 @@ struct Counts {
   static double share(double wrong, double of) { return of > 0 ? wrong / of : 0; }
 };
 
-/// Errors:
+/// What a round light lets arrive, `"truth": { "light_radius": 0.1 }`, against what a pixel shows
+/// of the way from its colour without light to that with it. Errors, of the same pixels as below:
+///   light RMSE       root of the mean square difference
+///   penumbra RMSE    the same where the truth lies between light and shadow
+truth::Answer judgeSoft(const truth::Rendered& rendered, const Shadows& shadows) {
+  double squares = 0, count = 0, innerSquares = 0, innerCount = 0;
+  Image difference(rendered.window.width(), rendered.window.height(), 3);
+  for (std::size_t i = 0; i < shadows.points.size(); ++i) {
+    const Point& point = shadows.points[i];
+    if (!point.judged) continue;
+    const int x = int(i) % rendered.window.width(), y = int(i) / rendered.window.width();
+    const auto pixel = rendered.window.pixel(x, y);
+    const dvec3 way = point.lit - point.dark;
+    const dvec3 gone = dvec3(pixel[0], pixel[1], pixel[2]) - point.dark;
+    const double share = std::clamp(glm::dot(gone, way) / glm::dot(way, way), 0.0, 1.0);
+    const double apart = share - point.share;
+    squares += apart * apart, ++count;
+    if (point.share > 0 && point.share < 1) innerSquares += apart * apart, ++innerCount;
+    // Red: too dark, blue: too light.
+    difference.at(x, y, apart < 0 ? 0 : 2) = float(std::abs(apart));
+  }
+  const auto root = [](double sum, double of) { return of > 0 ? std::sqrt(sum / of) : 0; };
+  return {{{"light RMSE", root(squares, count)}, {"penumbra RMSE", root(innerSquares, innerCount)}},
+          shadows.picture,
+          firstChannels(rendered.window, 3),
+          difference};
+}
+
+/// Errors, of a point of light:
 ///   wrong pixels           share of the pixels that show light for shadow or the other way round
 ///   false shadow or light  the larger of the next two
 ///   false shadow           share of the pixels with light that show a shadow (acne)
@@ -155,9 +191,11 @@ struct Counts {
 /// any map that is coarse enough. So settings are compared by the first, which leaves out no edge.
 /// A pixel shows what it is nearer to: its colour with light, or without. Nowhere counted are
 /// surfaces turned from the light, pixels whose two colours are too close, one pixel at
-/// silhouettes. The truth's shadows are hard: a soft edge is half wrong.
+/// silhouettes. The truth's shadows are hard: a soft edge is half wrong. For a round light see
+/// judgeSoft.
 truth::Answer judge(const truth::Rendered& rendered) {
   const auto shadows = kept<Shadows>(rendered, trace);
+  if (lightRadius(rendered) > 0) return judgeSoft(rendered, *shadows);
   const json& quality = rendered.scene.at("quality");
   const Band band(*shadows, quality.at("shadow_size").get<int>(),
                   kBandTexels + quality.at("pcf_radius").get<int>());

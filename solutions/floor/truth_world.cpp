@@ -172,12 +172,30 @@ dvec3 World::color(const Surface& surface, const dvec3& toEye, double visible) c
          visible * highlight * of.specular + own;
 }
 
-bool World::inShadow(const Surface& surface) const {
-  const dvec3 toLight = light - surface.position;
+bool World::hidden(const Surface& surface, const dvec3& from) const {
+  const dvec3 toLight = from - surface.position;
   const double distance = glm::length(toLight);
   // Single precision is good for 1e-7 of a coordinate.
   const double lift = 1e-6 * (glm::length(surface.position) + distance);
   return rays_->occluded(surface.position + lift * surface.face, toLight / distance, distance);
+}
+
+bool World::inShadow(const Surface& surface) const {
+  return hidden(surface, light);
+}
+
+double World::shareOfLight(const Surface& surface, double radius) const {
+  constexpr int kPlaces = 128;
+  const dvec3 toLight = glm::normalize(light - surface.position);
+  const dvec3 aside = std::abs(toLight.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0);
+  const dvec3 u = glm::normalize(glm::cross(toLight, aside)), v = glm::cross(toLight, u);
+  const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
+  int seen = 0;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double r = radius * std::sqrt((i + 0.5) / kPlaces), angle = i * golden;
+    if (!hidden(surface, light + r * (std::cos(angle) * u + std::sin(angle) * v))) ++seen;
+  }
+  return double(seen) / kPlaces;
 }
 
 bool World::onTileLine(const Surface& surface) const {
@@ -224,7 +242,8 @@ bool continues(const Surface& a, const Surface& b) {
 std::string keyOf(const truth::Rendered& rendered) {
   json scene = rendered.scene;
   scene.erase("quality");
-  return json::array({scene, rendered.time, rendered.window.width(), rendered.window.height()})
+  return json::array({scene, rendered.time, rendered.truth, rendered.window.width(),
+                      rendered.window.height()})
       .dump();
 }
 

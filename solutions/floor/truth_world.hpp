@@ -57,6 +57,9 @@ public:
   /// Does an object stand between it and the light? The floor hides nothing from the light, as in
   /// the lecture.
   bool inShadow(const Surface& surface) const;
+  /// How much of a round light of this radius is seen, 0 to 1: rays to 128 places spread evenly
+  /// over the disc that faces the surface (a spiral, Vogel 1979).
+  double shareOfLight(const Surface& surface, double radius) const;
   /// As much light as the scene lets arrive: all of it where shadows are off.
   double visibility(const Surface& surface) const { return shadow && inShadow(surface) ? 0 : 1; }
   /// Does the line between two tiles go through this very point? Then rounding decides which tile
@@ -71,6 +74,8 @@ public:
   double ballRadius;
 
 private:
+  /// Does an object stand between the surface and this place?
+  bool hidden(const Surface& surface, const dvec3& from) const;
   struct Material {
     dvec3 ambient, diffuse, specular; ///< times the light's
     double shininess;
@@ -98,7 +103,7 @@ std::vector<Seen> look(const World& world);
 /// Do two neighbouring pixels show the same smooth piece of a surface?
 bool continues(const Surface& a, const Surface& b);
 
-/// What a picture of the scene depends on, as a key: all but how well it is drawn.
+/// What the truth of the scene depends on, as a key: all but how well it is drawn.
 std::string keyOf(const truth::Rendered& rendered);
 
 /// `make(rendered)`, kept for the scenes that were asked for last. Not for several threads.

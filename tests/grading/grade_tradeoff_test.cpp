@@ -65,6 +65,10 @@ TEST(Tradeoff, SaysWhatItDoesNotKnow) {
   const Ended time = runTool({"tradeoff", "mirror", "--budget", "soon", "--out", out});
   EXPECT_EQ(time.exitCode, 2);
   EXPECT_THAT(time.errors, HasSubstr("--budget soon: must be a time such as 5ms"));
+  const Ended adopt = runTool({"tradeoff", "mirror", "--adopt", "--out", out});
+  EXPECT_EQ(adopt.exitCode, 2);
+  EXPECT_THAT(adopt.errors,
+              HasSubstr("--adopt needs everything measured: name floor instead of mirror"));
   EXPECT_FALSE(fs::exists(out));
 }
 

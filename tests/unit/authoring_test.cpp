@@ -101,10 +101,15 @@ Assignment sample() {
 }
 
 std::string expand(const std::string& text, const std::string& code = "int count;\n") {
-  return authoring::expandHandout(text, "handout.md", sample(), [&](const std::string& file) {
-    EXPECT_THAT(file, testing::AnyOf("floor.cpp", "mirror.hpp", "tile.frag", "shadow.glsl"));
-    return code;
-  });
+  return authoring::expandHandout(
+      text, "handout.md", sample(),
+      [&](const std::string& file) {
+        EXPECT_THAT(file, testing::AnyOf("floor.cpp", "mirror.hpp", "tile.frag", "shadow.glsl"));
+        return code;
+      },
+      [](const std::string& part) {
+        return part == "mirror" ? "a table\n" : part == "" ? "growth\n" : "";
+      });
 }
 
 TEST(HandoutExcerpt, IsTheCodeFromTheAnchorToItsEnd) {
@@ -134,6 +139,10 @@ TEST(HandoutPoints, AreARowForEveryItem) {
             "| +10 | It is blurred (bonus) | 3 |\nDone.\n");
 }
 
+TEST(HandoutTradeoff, IsWhatWasMeasuredOfThePartOrOfAll) {
+  EXPECT_EQ(expand("{{tradeoff mirror}}\n{{tradeoff}}\n"), "a table\ngrowth\n");
+}
+
 TEST(HandoutDirective, MistakesNameFileAndLine) {
   const auto problem = [&](const std::string& text) {
     return messageOf<UsageError>([&] { expand(text); });
@@ -141,13 +150,14 @@ TEST(HandoutDirective, MistakesNameFileAndLine) {
   EXPECT_EQ(problem("one\n{{excerpt floor.cpp \"gone\"}}\n"),
             "handout.md:2: floor.cpp has no line with \"gone\"");
   EXPECT_EQ(problem("one\n\n{{points shadow}}\n"), "handout.md:3: floor has no part shadow");
+  const std::string rest = " is none of {{excerpt FILE \"ANCHOR\"}}, {{points PART}}, {{tradeoff "
+                           "PART}} and {{tradeoff}}";
+  EXPECT_EQ(problem("{{excerpt floor.cpp}}\n"), "handout.md:1: {{excerpt floor.cpp}}" + rest);
+  EXPECT_EQ(problem("see {{points mirror}}\n"), "handout.md:1: see {{points mirror}}" + rest);
   EXPECT_EQ(
-      problem("{{excerpt floor.cpp}}\n"),
-      "handout.md:1: {{excerpt floor.cpp}} is neither {{excerpt FILE \"ANCHOR\"}} nor {{points "
-      "PART}}");
-  EXPECT_EQ(problem("see {{points mirror}}\n"),
-            "handout.md:1: see {{points mirror}} is neither {{excerpt FILE \"ANCHOR\"}} nor "
-            "{{points PART}}");
+      problem("{{tradeoff shadow}}\n"),
+      "handout.md:1: {{tradeoff shadow}}: nothing was measured; ggrade tradeoff floor --adopt "
+      "does it");
 }
 
 /// The row of a Markdown table that holds `text`, or nothing.

@@ -75,21 +75,22 @@ TEST(Declarations, MaterialsAreNames) {
 
 TEST(Declarations, APresetIsOfDeclaredQualityKeys) {
   const auto problem = [](const std::string& presets) {
-    return messageFor(
+    Declarations declarations = Declarations::fromText(
         "{ \"scene\": { \"quality.size\": { \"type\": \"integer\", \"range\": [1, 8] }, "
-        "\"ring\": { \"type\": \"text\" } }, \"presets\": " +
-        presets + " }");
+        "\"ring\": { \"type\": \"text\" } } }",
+        "assignment.json");
+    return messageOf<gg::SceneError>([&] { declarations.addPresets(presets, "presets.json"); });
   };
-  EXPECT_EQ(problem("[]"), "assignment.json: presets: must be an object");
-  EXPECT_EQ(problem("{ \"fast\": 1 }"), "assignment.json: presets.fast: must be an object of "
-                                        "quality keys and their values");
-  EXPECT_EQ(problem("{ \"fast\": { \"quality.sise\": 1 } }"),
-            "assignment.json: presets.fast: \"quality.sise\" is no declared key of quality");
+  EXPECT_EQ(problem("[]"), "presets.json: must be an object: { ... }");
+  EXPECT_THAT(problem("{"), testing::StartsWith("presets.json: is not valid JSON: "));
+  EXPECT_EQ(problem("{ \"fast\": 1 }"),
+            "presets.json: fast: must be an object of quality keys and their values");
+  EXPECT_EQ(problem("{ \"fast\": { \"sise\": 1 } }"),
+            "presets.json: fast: \"sise\" is no declared key of quality");
   EXPECT_EQ(problem("{ \"fast\": { \"ring\": \"x\" } }"),
-            "assignment.json: presets.fast: \"ring\" is no declared key of quality");
-  EXPECT_EQ(problem("{ \"fast\": { \"quality.size\": 9 } }"),
-            "assignment.json: presets.fast: quality.size must be a whole number between 1 "
-            "and 8, but is 9");
+            "presets.json: fast: \"ring\" is no declared key of quality");
+  EXPECT_EQ(problem("{ \"fast\": { \"size\": 9 } }"),
+            "presets.json: fast: size must be a whole number between 1 and 8, but is 9");
 }
 
 TEST(Declarations, AFileThatIsNotJsonIsNamed) {

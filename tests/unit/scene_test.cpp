@@ -56,23 +56,22 @@ TEST(Scene, NumbersKeepDoublePrecision) {
   EXPECT_EQ(scene.real("ring.radius"), 0.1f);
 }
 
-const std::string kWithPresets = R"({
+const std::string kWithQuality = R"({
   "materials": ["object"],
   "scene": {
     "quality.size": { "type": "integer", "range": [1, 4096], "default": 1024 },
     "quality.taps": { "type": "integer", "range": [1, 64], "default": 4 },
     "ring.radius": { "type": "real", "range": [0, 1e7] }
-  },
-  "presets": {
-    "fast": { "quality.size": 256 },
-    "accurate": { "quality.size": 2048, "quality.taps": 16 }
   }
 })";
 
 Scene readWithPresets(const std::string& quality) {
+  auto declarations = gg::Declarations::fromText(kWithQuality, "assignment.json");
+  declarations.addPresets(
+      R"({ "fast": { "size": 256 }, "accurate": { "size": 2048, "taps": 16 } })", "presets.json");
   return Scene::fromText(
       sampleSceneWith("\"ring\": {", "\"quality\": " + quality + ",\n  \"ring\": {"), "scene.json",
-      gg::Declarations::fromText(kWithPresets, "assignment.json"));
+      declarations);
 }
 
 TEST(Scene, APresetSetsQualityAndWhatStandsBesideItWins) {

@@ -1,4 +1,5 @@
 #include "report/picture.hpp"
+#include "tradeoff/adopted.hpp"
 #include "tradeoff/chart.hpp"
 #include "tradeoff/page.hpp"
 
@@ -120,7 +121,7 @@ TEST(TradeoffWishes, HaveUnits) {
 TEST(TradeoffChart, CanBeReadAloud) {
   const Measured measured = sample();
   const Findings findings = findingsOf(measured, {});
-  const std::string svg = frontChart(measured, findings);
+  const std::string svg = frontChart(measured, findings, Labels::places);
   EXPECT_THAT(svg, HasSubstr("role=\"img\" aria-labelledby=\"chart-mirror-sharp-title "
                              "chart-mirror-sharp-desc\"><title id=\"chart-mirror-sharp-title\">"
                              "mirror, sharp: time against RMSE, edges left out</title>"));
@@ -136,9 +137,61 @@ TEST(TradeoffChart, BearsNoTimeAndNoError) {
     point.ms = {-0.1, -0.2, 0};
     point.errors[0].value = 0;
   }
-  const std::string svg = frontChart(measured, findingsOf(measured, {}));
+  const std::string svg = frontChart(measured, findingsOf(measured, {}), Labels::places);
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
   EXPECT_THAT(svg, Not(HasSubstr("inf")));
+}
+
+/// What `tradeoff --adopt` keeps of two sweeps.
+json adoptedSample() {
+  const Measured measured = sample();
+  json sharp = jsonOf(measured, findingsOf(measured, {})), blurred = sharp;
+  blurred["scene_name"] = "blurred";
+  for (json& preset : blurred["presets"]) preset["setting"] = {{"samples", 16}, {"size", 8}};
+  json need = {{"passes", 2}, {"image_bytes", 1 << 20}, {"ms", 3}};
+  return {{"sweeps", {sharp, blurred}},
+          {"growth",
+           {{{"part", "mirror"},
+             {"series", "pixels"},
+             {"values", {1, 2}},
+             {"ms", {1, 2.5}},
+             {"exponent", 1.32}}}},
+          {"saved", {{{"scene", "no mirror"}, {"needed", need}, {"against", need}}}}};
+}
+
+TEST(TradeoffAdopted, APresetHasTheNumbersOfAllSweeps) {
+  const json presets = adoptedPresets(adoptedSample());
+  EXPECT_EQ(presets["fast"], json({{"clip", 1}, {"samples", 16}, {"size", 64}}));
+  EXPECT_EQ(presets["reference"], json({{"clip", 1}, {"samples", 16}, {"size", 256}}));
+}
+
+TEST(TradeoffAdopted, IsATableInTheHandout) {
+  const std::string text = handoutText(adoptedSample(), "mirror");
+  EXPECT_THAT(text, testing::StartsWith(
+                        "A scene. 480 x 360 pixels; without this part a frame takes 3.00 ms.\n\n"
+                        "| preset | time | RMSE, edges left out | setting |\n"
+                        "| --- | ---: | ---: | --- |\n"));
+  EXPECT_THAT(text, HasSubstr("| reference | 16.1 ms | 0.39% | `clip` 1, `size` 256 |\n"));
+  EXPECT_THAT(text, HasSubstr("(handout/tradeoff-mirror-sharp.svg)\n"));
+  EXPECT_THAT(text, HasSubstr("(handout/tradeoff-mirror-blurred.svg)\n"));
+  EXPECT_THAT(text, HasSubstr("- The error falls with size: from 1.6% at 64 to 0.39% at 256. Its "
+                              "cost grows with the power 1.94 of it.\n"));
+  EXPECT_EQ(handoutText(adoptedSample(), "shadow"), "");
+  EXPECT_EQ(handoutText(adoptedSample(), ""),
+            "| part | against | its cost in a frame | power |\n| --- | --- | --- | ---: |\n"
+            "| mirror | pixels | 1: 1.00 ms, 2: 2.50 ms | 1.32 |\n\n"
+            "| scene | passes | memory | time |\n| --- | ---: | ---: | ---: |\n"
+            "| no mirror | 2 of 2 | 1.0 of 1.0 MiB | 3.00 ms of 3.00 ms |\n");
+}
+
+TEST(TradeoffAdopted, AChartStandsAlone) {
+  const Measured measured = sample();
+  const std::string svg = chartSvg(measured, findingsOf(measured, {}));
+  EXPECT_THAT(svg,
+              testing::StartsWith("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"chart\""));
+  EXPECT_THAT(svg, HasSubstr(">fast</text>"));
+  EXPECT_THAT(svg, HasSubstr(">accurate, reference</text>"));
+  EXPECT_THAT(svg, Not(HasSubstr("var(--")));
 }
 
 TEST(TradeoffPage, ShowsFrontPresetsAndCurves) {
@@ -150,7 +203,7 @@ TEST(TradeoffPage, ShowsFrontPresetsAndCurves) {
                   {1, 2, 4},
                   {{1, 1, 1}, {2, 2, 2}, {4, 4, 4}},
                   growthOf({1, 2, 4}, {1, 2, 4})}};
-  page.memory = {{"nothing <glows>", 1 << 20, 4 << 20}};
+  page.saved = {{"nothing <glows>", {2, 1 << 20, {3, 3, 3}}, {13, 4 << 20, {30, 30, 30}}}};
   Image& first = page.measured[0].points[page.findings[0].front[0]].rendered = Image(30, 20, 3);
   for (std::size_t i = 0; i < 1800; ++i) first.values()[i] = float(i * i * 7919 % 256) / 255;
   const std::string html = tradeoffPage({page});
@@ -164,8 +217,8 @@ TEST(TradeoffPage, ShowsFrontPresetsAndCurves) {
   EXPECT_THAT(html, HasSubstr("<td>pixels</td><td>1: 1.00 ms, 2: 2.00 ms, 4: 4.00 ms</td><td "
                               "class=\"number\">1.00</td>"));
   EXPECT_THAT(html, HasSubstr("nothing &lt;glows&gt;"));
-  EXPECT_THAT(html, HasSubstr("1.0 MiB</td><td class=\"number\">4.0 MiB</td><td "
-                              "class=\"number\">75%"));
+  EXPECT_THAT(html, HasSubstr("2 of 13</td><td class=\"number\">1.0 MiB of 4.0 MiB</td><td "
+                              "class=\"number\">3.00 ms of 30.0 ms"));
   EXPECT_THAT(html, Not(HasSubstr("{{")));
   EXPECT_THAT(html, Not(HasSubstr("http://")));
 }

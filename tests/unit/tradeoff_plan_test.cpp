@@ -34,7 +34,7 @@ json good() {
              {"together", json::array({{"mirror_size", "mirror_clip"}})}}}}}}}},
       {"amounts", {"mirror_size"}},
       {"growth", json::array({{{"name", "objects"}, {"steps", json::array({{{"sphere", 8}}})}}})},
-      {"memory", json::array({{{"name", "no mirror"}}})}};
+      {"saved", json::array({{{"name", "no mirror"}}})}};
 }
 
 class TradeoffPlan : public testing::Test {
@@ -66,7 +66,7 @@ TEST_F(TradeoffPlan, OfTheFloorIsRight) {
                              kSource / "solutions/floor/quality.json");
   std::vector<std::string> parts;
   for (const Sweep& sweep : plan.sweeps) parts.push_back(sweep.part);
-  EXPECT_THAT(parts, testing::ElementsAre("mirror", "mirror", "shadow", "bloom"));
+  EXPECT_THAT(parts, testing::ElementsAre("mirror", "mirror", "shadow", "shadow", "bloom"));
   EXPECT_EQ(plan.parts.size(), 3u);
   std::size_t settings = 0;
   for (const Sweep& sweep : plan.sweeps) {
@@ -95,7 +95,21 @@ TEST_F(TradeoffPlan, HasScenesSettingsAndSteps) {
   EXPECT_FALSE(sweep.numbers[0].amount);
   EXPECT_DOUBLE_EQ(plan.growth[0].steps[0].value, 224);
   EXPECT_EQ(plan.growth[0].steps[0].scene["mesh"], "sphere-8.obj");
-  EXPECT_EQ(plan.memory[0].against["debug"]["draw_all_passes"], true);
+  EXPECT_EQ(plan.saved[0].against["debug"]["draw_all_passes"], true);
+}
+
+TEST_F(TradeoffPlan, ANumbersSecondSceneHasFilesOfItsOwn) {
+  json text = good();
+  json second = scene(text);
+  second["name"] = "soft";
+  second["truth"] = {{"light_radius", 0.1}};
+  text["parts"]["mirror"]["scenes"].push_back(second);
+  const Plan plan = read(text);
+  ASSERT_EQ(plan.sweeps.size(), 2u);
+  EXPECT_EQ(plan.sweeps[0].suffix, "");
+  EXPECT_EQ(plan.sweeps[0].truth, json());
+  EXPECT_EQ(plan.sweeps[1].suffix, ".soft");
+  EXPECT_EQ(plan.sweeps[1].truth, json({{"light_radius", 0.1}}));
 }
 
 TEST_F(TradeoffPlan, SaysWhatIsBest) {
@@ -123,7 +137,7 @@ TEST_F(TradeoffPlan, ErrorsNameFileKeyAndValue) {
   json text = good();
   text["colour"] = 1;
   EXPECT_EQ(problemOf(text), ": colour: there is no such key here; there are: size, parts, "
-                             "amounts, growth, memory");
+                             "amounts, growth, saved");
   text = good();
   scene(text)["numbers"]["fog"] = {1};
   EXPECT_EQ(problemOf(text),
@@ -168,8 +182,8 @@ TEST_F(TradeoffPlan, ErrorsNameFileKeyAndValue) {
                              "there are: mirror_clip, mirror_size");
   text = good();
   text["parts"]["mirror"]["scenes"].push_back(scene(text));
-  EXPECT_EQ(problemOf(text), ": parts.mirror.scenes[1].numbers.mirror_clip: is swept in another "
-                             "scene, too; a number is swept in one");
+  EXPECT_EQ(problemOf(text),
+            ": parts.mirror.scenes[1].name: \"sharp\" is another scene of this part");
 }
 
 TEST_F(TradeoffPlan, ValuesMustBeAllowedByTheAssignment) {

@@ -88,6 +88,31 @@ TEST(TruthWorld, ABoxShadowsThePolygonOfItsProjectedCorners) {
   }
 }
 
+TEST(TruthWorld, AnEdgeCutsASegmentFromARoundLight) {
+  json scene = sceneWith(kBox);
+  const dvec2 light(4, 5);
+  const double radius = 0.3;
+  scene["light"]["position"] = {light.x, light.y, 0};
+  const World world(scene, 0, 64, 48);
+  int partly = 0;
+  for (double x = -2.2; x < -1.2; x += 0.01) {
+    // In the plane z = 0: the box's highest point as seen from x, and how far the line over it
+    // passes from the light's middle, in radii.
+    double hidden = -1;
+    for (const dvec2 corner : {dvec2(-0.5, 1), dvec2(0.5, 1)}) {
+      const dvec2 over = corner - dvec2(x, 0), middle = light - dvec2(x, 0);
+      const double along = glm::dot(middle, middle) / glm::dot(over, middle);
+      const dvec2 at = along * over;
+      hidden = std::max(hidden, cross(middle, at) / glm::length(middle) / radius);
+    }
+    const double h = std::clamp(hidden, -1.0, 1.0);
+    const double share = 0.5 - (h * std::sqrt(1 - h * h) + std::asin(h)) / std::numbers::pi;
+    EXPECT_NEAR(world.shareOfLight(floorAt(x, 0), radius), share, 0.015) << x;
+    partly += share > 0.02 && share < 0.98;
+  }
+  EXPECT_GT(partly, 10);
+}
+
 TEST(TruthWorld, WhatLiesBehindTheLightShadesNothing) {
   json scene = sceneWith(kBox);
   scene["light"]["position"] = {0, 2, 0.3};

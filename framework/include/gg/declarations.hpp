@@ -37,8 +37,9 @@ struct KeyDeclaration {
 /// `type` is boolean, integer, real or text; numbers need a `range`, both ends allowed; a key
 /// without `default` must be in the scene.
 ///
-/// Presets are settings of several `quality` keys under one name: \code
-///   "presets": { "fast": { "quality.shadow_size": 512, "quality.pcf_radius": 0 } }
+/// presets.json, where there is one beside it, gives settings of several `quality` keys one name:
+/// \code
+///   { "fast": { "shadow_size": 512, "pcf_radius": 0 } }
 /// \endcode
 /// A scene asks for one with `"quality": "fast"`, or with `"quality": { "preset": "fast", ... }`,
 /// where the values beside it win.
@@ -47,11 +48,13 @@ public:
   /// The keys of every scene, with the given materials and no key of an assignment's own.
   explicit Declarations(const std::vector<std::string>& materials = {});
 
-  /// Reads an assignment.json (a UTF-8 name). Throws SceneError if it can't be read or declares
-  /// something wrongly.
+  /// Reads an assignment.json (a UTF-8 name), and presets.json beside it if there is one. Throws
+  /// SceneError if one can't be read or declares something wrongly.
   static Declarations fromFile(const std::string& file);
-  /// The same from text; `name` stands in messages.
+  /// assignment.json alone, from text; `name` stands in messages.
   static Declarations fromText(std::string_view text, const std::string& name);
+  /// Adds the presets in the text of a presets.json. Throws SceneError.
+  void addPresets(std::string_view text, const std::string& name);
 
   const std::map<std::string, KeyDeclaration, std::less<>>& keys() const { return keys_; }
   const std::vector<std::string>& materials() const { return materials_; }

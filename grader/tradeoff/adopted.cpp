@@ -1,0 +1,116 @@
+#include "tradeoff/adopted.hpp"
+
+#include "tradeoff/chart.hpp"
+
+#include <fmt/format.h>
+
+namespace ggrade::tradeoff {
+
+namespace {
+
+constexpr const char* kPresets[] = {"fast", "balanced", "accurate", "reference"};
+
+/// The page's colours on white: no page stands around the chart.
+constexpr const char* kStyle =
+    "<style>text{font:13px system-ui,sans-serif;fill:#1c2430}text.tick,text.axis{font-size:12px;"
+    "fill:#5b6675}text.label{font-weight:650;paint-order:stroke;stroke:#fff;stroke-width:4px}"
+    ".grid{stroke:#dde2e8}.other{fill:#5b6675;fill-opacity:.4}.best{fill:#1d5fbf;stroke:#fff;"
+    "stroke-width:1.5}.front{fill:none;stroke:#1d5fbf;stroke-width:1.8;stroke-linejoin:round}"
+    "</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>";
+
+std::string settingCell(const json& setting) {
+  std::string text;
+  for (const auto& [number, value] : setting.items())
+    text += fmt::format("{}`{}` {}", text.empty() ? "" : ", ", number, value.dump());
+  return text;
+}
+
+std::string sweepText(const json& sweep) {
+  const std::string part = sweep.at("part"), name = sweep.at("scene_name"),
+                    error = sweep.at("error");
+  std::string text =
+      fmt::format("{} {} x {} pixels; without this part a frame takes {}.\n\n"
+                  "| preset | time | {} | setting |\n| --- | ---: | ---: | --- |\n",
+                  sweep.at("about").get<std::string>(), sweep.at("size")[0].dump(),
+                  sweep.at("size")[1].dump(), msText(sweep.at("frame_without_ms")), error);
+  for (const char* preset : kPresets) {
+    if (!sweep.at("presets").contains(preset)) continue;
+    const json& row = sweep.at("presets").at(preset);
+    text += fmt::format("| {} | {} | {} | {} |\n", preset, msText(row.at("ms")),
+                        errorText(row.at("errors").at(error)), settingCell(row.at("setting")));
+  }
+  text += fmt::format("\n![Time against {} of {} settings](handout/{})\n\n", error,
+                      sweep.at("settings").dump(), chartFile(part, name));
+  for (const auto& [number, found] : sweep.at("numbers").items()) {
+    text += "- " + found.at("error_falls").get<std::string>();
+    if (found.contains("cost_exponent"))
+      text += fmt::format(" Its cost grows with the power {:.2f} of it.",
+                          found.at("cost_exponent").get<double>());
+    text += '\n';
+  }
+  return text;
+}
+
+std::string growthTable(const json& growth) {
+  std::string text =
+      "| part | against | its cost in a frame | power |\n| --- | --- | --- | ---: |\n";
+  for (const json& row : growth) {
+    std::string costs;
+    for (std::size_t i = 0; i < row.at("values").size(); ++i)
+      costs += fmt::format("{}{:.0f}: {}", i == 0 ? "" : ", ", row.at("values")[i].get<double>(),
+                           msText(row.at("ms")[i]));
+    text += fmt::format(
+        "| {} | {} | {} | {} |\n", row.at("part").get<std::string>(),
+        row.at("series").get<std::string>(), costs,
+        row.contains("exponent") ? fmt::format("{:.2f}", row.at("exponent").get<double>()) : "–");
+  }
+  return text;
+}
+
+std::string savedTable(const json& saved) {
+  const auto mebibytes = [](const json& need) {
+    return need.at("image_bytes").get<double>() / (1 << 20);
+  };
+  std::string text = "| scene | passes | memory | time |\n| --- | ---: | ---: | ---: |\n";
+  for (const json& row : saved) {
+    const json &needed = row.at("needed"), &against = row.at("against");
+    text += fmt::format("| {} | {} of {} | {:.1f} of {:.1f} MiB | {} of {} |\n",
+                        row.at("scene").get<std::string>(), needed.at("passes").dump(),
+                        against.at("passes").dump(), mebibytes(needed), mebibytes(against),
+                        msText(needed.at("ms")), msText(against.at("ms")));
+  }
+  return text;
+}
+
+} // namespace
+
+std::string chartFile(const std::string& part, const std::string& sweep) {
+  return fmt::format("tradeoff-{}-{}.svg", part, sweep);
+}
+
+std::string chartSvg(const Measured& measured, const Findings& findings) {
+  std::string svg = frontChart(measured, findings, Labels::presets);
+  svg.insert(svg.find('>') + 1, kStyle);
+  svg.insert(svg.find(' '), " xmlns=\"http://www.w3.org/2000/svg\"");
+  return svg + '\n';
+}
+
+json adoptedPresets(const json& figures) {
+  json presets = json::object();
+  for (const json& sweep : figures.at("sweeps"))
+    for (const auto& [name, preset] : sweep.at("presets").items())
+      for (const auto& [number, value] : preset.at("setting").items())
+        presets[name].emplace(number, value);
+  return presets;
+}
+
+std::string handoutText(const json& figures, const std::string& part) {
+  if (part.empty())
+    return growthTable(figures.at("growth")) + '\n' + savedTable(figures.at("saved"));
+  std::string text;
+  for (const json& sweep : figures.at("sweeps"))
+    if (sweep.at("part") == part) text += (text.empty() ? "" : "\n") + sweepText(sweep);
+  return text;
+}
+
+} // namespace ggrade::tradeoff

@@ -1,0 +1,26 @@
+#pragma once
+/// \file
+/// What handouts and scenes use of a measurement. `ggrade tradeoff ID --adopt` keeps it in
+/// solutions/<id>/tradeoff: figures.json (an assignment's entry of tradeoff.json) and a chart a
+/// sweep. `ggrade derive` makes tables, pictures and presets.json from that.
+
+#include "tradeoff/page.hpp"
+
+namespace ggrade::tradeoff {
+
+/// "tradeoff-mirror-sharp.svg": the chart of a part's sweep, in the handout's folder too.
+std::string chartFile(const std::string& part, const std::string& sweep);
+
+/// The chart of the front with the presets named, as a file that stands alone.
+std::string chartSvg(const Measured& measured, const Findings& findings);
+
+/// presets.json of an assignment from its figures: preset to the numbers of all its parts, each as
+/// the first scene that sweeps it has it.
+json adoptedPresets(const json& figures);
+
+/// Markdown: a part's presets with time and error, its charts, what each number does. With no part:
+/// how the cost of all parts grows, and what a scene doesn't need. Empty if the part was not
+/// measured.
+std::string handoutText(const json& figures, const std::string& part);
+
+} // namespace ggrade::tradeoff
