@@ -153,9 +153,9 @@ struct Counts {
   static double share(double wrong, double of) { return of > 0 ? wrong / of : 0; }
 };
 
-/// What a round light lets arrive, `"truth": { "light_radius": 0.1 }`, against what a pixel shows
-/// of the way from its colour without light to that with it. Errors, of the same pixels as below:
-///   light RMSE       root of the mean square difference
+/// The colours of pixels in the light of a round source, `"truth": { "light_radius": 0.1 }`,
+/// against the truth's. Errors, of the same pixels as below:
+///   soft RMSE        root of the mean square difference, over all channels
 ///   penumbra RMSE    the same where the truth lies between light and shadow
 truth::Answer judgeSoft(const truth::Rendered& rendered, const Shadows& shadows) {
   double squares = 0, count = 0, innerSquares = 0, innerCount = 0;
@@ -165,17 +165,17 @@ truth::Answer judgeSoft(const truth::Rendered& rendered, const Shadows& shadows)
     if (!point.judged) continue;
     const int x = int(i) % rendered.window.width(), y = int(i) / rendered.window.width();
     const auto pixel = rendered.window.pixel(x, y);
-    const dvec3 way = point.lit - point.dark;
-    const dvec3 gone = dvec3(pixel[0], pixel[1], pixel[2]) - point.dark;
-    const double share = std::clamp(glm::dot(gone, way) / glm::dot(way, way), 0.0, 1.0);
-    const double apart = share - point.share;
-    squares += apart * apart, ++count;
-    if (point.share > 0 && point.share < 1) innerSquares += apart * apart, ++innerCount;
+    const dvec3 apart =
+        dvec3(pixel[0], pixel[1], pixel[2]) - glm::mix(point.dark, point.lit, point.share);
+    const double square = glm::dot(apart, apart) / 3;
+    squares += square, ++count;
+    if (point.share > 0 && point.share < 1) innerSquares += square, ++innerCount;
     // Red: too dark, blue: too light.
-    difference.at(x, y, apart < 0 ? 0 : 2) = float(std::abs(apart));
+    difference.at(x, y, apart.x + apart.y + apart.z < 0 ? 0 : 2) =
+        std::min(1.0f, 4 * float(std::sqrt(square)));
   }
   const auto root = [](double sum, double of) { return of > 0 ? std::sqrt(sum / of) : 0; };
-  return {{{"light RMSE", root(squares, count)}, {"penumbra RMSE", root(innerSquares, innerCount)}},
+  return {{{"soft RMSE", root(squares, count)}, {"penumbra RMSE", root(innerSquares, innerCount)}},
           shadows.picture,
           firstChannels(rendered.window, 3),
           difference};

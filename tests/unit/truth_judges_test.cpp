@@ -131,17 +131,14 @@ TEST(TruthJudges, ASoftShadowIsAnotherTruth) {
   truth::Rendered rendered = perfect("shadow"); // of a point
   rendered.truth = {{"light_radius", 0.2}};
   const truth::Answer soft = truth::judgeOf("shadow")(rendered);
-  // Hard edges in a penumbra: a share between 0 and 1, evenly spread, is 0.3 off in the mean
-  // square.
-  EXPECT_GT(error(soft, "penumbra RMSE"), 0.15);
-  EXPECT_LT(error(soft, "penumbra RMSE"), 0.45);
-  EXPECT_LT(error(soft, "light RMSE"), error(soft, "penumbra RMSE") / 2);
+  EXPECT_GT(error(soft, "penumbra RMSE"), 0.05);
+  EXPECT_LT(error(soft, "soft RMSE"), error(soft, "penumbra RMSE") / 2);
   rendered.window = soft.truth;
   EXPECT_NEAR(error(truth::judgeOf("shadow")(rendered), "penumbra RMSE"), 0, 1e-5);
   // A tiny light throws the shadow of a point.
   rendered = perfect("shadow");
   rendered.truth = {{"light_radius", 1e-4}};
-  EXPECT_LT(error(truth::judgeOf("shadow")(rendered), "light RMSE"), 0.01);
+  EXPECT_LT(error(truth::judgeOf("shadow")(rendered), "soft RMSE"), 0.005);
 }
 
 TEST(TruthJudges, SayWhatTheyCannotJudge) {
