@@ -93,6 +93,7 @@ Findings findingsOf(const Measured& measured, const Wishes& wishes) {
       costs.push_back(points[index].ms.median);
     }
     curve.fall = fallText(number.name, labels, errors);
+    if (!number.note.empty()) curve.fall += ' ' + number.note;
     if (number.amount) curve.growth = growthOf(values, costs);
     findings.tables.push_back(curve.table);
     findings.curves.push_back(std::move(curve));

@@ -35,7 +35,7 @@ struct Table {
 struct Curve {
   Number number;
   Table table;
-  std::string fall;             ///< a sentence
+  std::string fall;             ///< in words, with the number's note
   std::optional<Growth> growth; ///< of cost, if the number is an amount
 };
 

@@ -85,7 +85,7 @@ Number readNumber(const Reader& reader, const json& scene, const std::string& at
     reader.fail(key, fmt::format("must be a list of numbers, but is {}", values.dump()));
   if (!scene.at("quality").contains(name))
     reader.fail(key, "scene.json has no such quality number");
-  Number number{name, {}, false};
+  Number number{name, {}, {}, false};
   for (const json& value : values) {
     if (!value.is_number()) reader.fail(key, fmt::format("{} is not a number", value.dump()));
     if (std::find(number.values.begin(), number.values.end(), value) != number.values.end())
@@ -104,8 +104,9 @@ std::vector<std::string> namesOf(const Sweep& sweep) {
 
 Sweep readSweep(const Reader& reader, const json& base, const json& off, const json& read,
                 const std::string& part, const std::string& at) {
-  reader.checkKeys(read, at,
-                   {"name", "about", "time", "scene", "truth", "numbers", "together", "reference"});
+  reader.checkKeys(
+      read, at,
+      {"name", "about", "time", "scene", "truth", "numbers", "together", "reference", "notes"});
   Sweep sweep;
   sweep.part = part;
   sweep.name = reader.text(read, at, "name");
@@ -125,6 +126,10 @@ Sweep readSweep(const Reader& reader, const json& base, const json& off, const j
     reader.fail(at + ".numbers", fmt::format("must name numbers, but is {}", numbers.dump()));
   for (const auto& [name, values] : numbers.items())
     sweep.numbers.push_back(readNumber(reader, sweep.scene, at, name, values));
+  const json notes = read.value("notes", json::object());
+  reader.checkKeys(notes, at + ".notes", namesOf(sweep));
+  for (Number& number : sweep.numbers)
+    if (notes.contains(number.name)) number.note = reader.text(notes, at + ".notes", number.name);
   sweep.reference = read.value("reference", json::object());
   reader.checkKeys(sweep.reference, at + ".reference", namesOf(sweep));
   reader.scene(sweep.scene, {{"quality", sweep.reference}}, at + ".reference");

@@ -13,7 +13,8 @@
 ///             "truth": { "light_radius": 0.1 },    what the part's truth is told besides
 ///             "numbers": { "mirror_size": [64, 128, ...] },   from the least to the most
 ///             "together": [["mirror_size", "mirror_clip"]],
-///             "reference": { "mirror_clip": 1 }    where the last value is not the best
+///             "reference": { "mirror_clip": 1 },   where the last value is not the best
+///             "notes": { "mirror_clip": "..." }    why the error goes as it does, for the page
 ///           } ]
 ///         }
 ///       },
@@ -42,6 +43,7 @@ using nlohmann::json;
 struct Number {
   std::string name; ///< "mirror_size"
   std::vector<json> values;
+  std::string note;    ///< why the error goes as it does with it; may be empty
   bool amount = false; ///< not a choice between kinds: its cost has an exponent
 };
 

@@ -20,7 +20,8 @@ Measured sample() {
   measured.sweep.name = "sharp";
   measured.sweep.about = "A scene.";
   measured.sweep.scene = {{"size", {480, 360}}, {"quality", {{"size", 64}, {"clip", 1}}}};
-  measured.sweep.numbers = {{"clip", {0, 1}, false}, {"size", {64, 128, 256}, true}};
+  measured.sweep.numbers = {{"clip", {0, 1}, "What sinks shows.", false},
+                            {"size", {64, 128, 256}, "", true}};
   measured.sweep.together = {{"size", "clip"}};
   for (const json& setting : allSettings(measured.sweep)) {
     const double size = setting["size"];
@@ -89,7 +90,7 @@ TEST(TradeoffFindings, PresetsOfSeveralScenesStandTogether) {
   Measured blurred = sample();
   blurred.sweep.name = "blurred";
   blurred.sweep.scene["quality"]["samples"] = 1;
-  blurred.sweep.numbers = {{"samples", {1, 2}, true}};
+  blurred.sweep.numbers = {{"samples", {1, 2}, "", true}};
   blurred.sweep.together.clear();
   blurred.points.resize(2);
   blurred.points[0].setting = {{"samples", 1}};
@@ -211,6 +212,9 @@ TEST(TradeoffPage, ShowsFrontPresetsAndCurves) {
   EXPECT_GT(picture.size(), 400u) << "longer than a line of text may be";
   EXPECT_THAT(html, HasSubstr("<img src=\"" + picture + "\""));
   EXPECT_THAT(html, HasSubstr("The error falls with size: from 1.6% at 64 to 0.39% at 256."));
+  EXPECT_THAT(
+      html,
+      HasSubstr("The error falls with clip: from 11.6% at 0 to 1.6% at 1. What sinks shows."));
   EXPECT_THAT(html, HasSubstr("Not everything has been measured"));
   EXPECT_THAT(html, HasSubstr("at most 4.50 ms"));
   EXPECT_THAT(html, HasSubstr("{&quot;quality&quot;:{&quot;clip&quot;:1,&quot;size&quot;:128}}"));

@@ -66,7 +66,8 @@ TEST_F(TradeoffPlan, OfTheFloorIsRight) {
                              kSource / "solutions/floor/quality.json");
   std::vector<std::string> parts;
   for (const Sweep& sweep : plan.sweeps) parts.push_back(sweep.part);
-  EXPECT_THAT(parts, testing::ElementsAre("mirror", "mirror", "shadow", "shadow", "bloom"));
+  EXPECT_THAT(parts,
+              testing::ElementsAre("mirror", "mirror", "shadow", "shadow", "shadow", "bloom"));
   EXPECT_EQ(plan.parts.size(), 3u);
   std::size_t settings = 0;
   for (const Sweep& sweep : plan.sweeps) {
@@ -102,12 +103,15 @@ TEST_F(TradeoffPlan, ANumbersSecondSceneHasFilesOfItsOwn) {
   json text = good();
   json second = scene(text);
   second["name"] = "soft";
+  second["notes"] = {{"mirror_clip", "Why."}};
   second["truth"] = {{"light_radius", 0.1}};
   text["parts"]["mirror"]["scenes"].push_back(second);
   const Plan plan = read(text);
   ASSERT_EQ(plan.sweeps.size(), 2u);
   EXPECT_EQ(plan.sweeps[0].suffix, "");
   EXPECT_EQ(plan.sweeps[0].truth, json());
+  EXPECT_EQ(plan.sweeps[0].numbers[0].note, "");
+  EXPECT_EQ(plan.sweeps[1].numbers[0].note, "Why.");
   EXPECT_EQ(plan.sweeps[1].suffix, ".soft");
   EXPECT_EQ(plan.sweeps[1].truth, json({{"light_radius", 0.1}}));
 }
