@@ -55,9 +55,11 @@ Part readPart(const json& from) {
   return part;
 }
 
-/// IDs of the assignment, its parts, TODOs and items name one thing each.
+/// IDs of the assignment, its parts, TODOs and items name one thing each; a single part may be the
+/// assignment.
 void requireDifferentIds(const Assignment& assignment) {
-  std::set<std::string> targets = {assignment.id}, todos, items;
+  std::set<std::string> targets, todos, items;
+  if (!assignment.isOnePart()) targets.insert(assignment.id);
   const auto add = [](std::set<std::string>& known, const std::string& id) {
     if (!known.insert(id).second) throw UsageError(fmt::format("\"{}\" stands there twice", id));
   };
@@ -89,6 +91,20 @@ void requireChains(const Assignment& assignment) {
     std::size_t steps = 0;
     for (auto at = before; at != known.end(); at = known.find(at->second.second->after))
       if (++steps > known.size()) refuse("items go round in a circle");
+  }
+}
+
+/// An ID names one assignment or part of all.
+void requireDifferentTargets(const std::vector<Assignment>& all) {
+  std::map<std::string, const Assignment*> known;
+  for (const Assignment& assignment : all) {
+    std::set<std::string> ids = {assignment.id};
+    for (const Part& part : assignment.parts) ids.insert(part.id);
+    for (const std::string& id : ids)
+      if (const auto [entry, fresh] = known.emplace(id, &assignment); !fresh)
+        throw UsageError(fmt::format("\"{}\" stands in {} and in {}: give one of them another ID",
+                                     id, (entry->second->folder / "assignment.json").string(),
+                                     (assignment.folder / "assignment.json").string()));
   }
 }
 
@@ -172,6 +188,7 @@ std::vector<Assignment> loadAssignments(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
     if (fs::exists(entry.path() / "assignment.json")) all.push_back(Assignment::load(entry.path()));
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
+  requireDifferentTargets(all);
   return all;
 }
 
@@ -183,6 +200,7 @@ Target findTarget(const fs::path& folder, const std::string& id) {
       return {std::move(assignment), std::move(parts), id};
     }
     known += (known.empty() ? "" : ", ") + assignment.id;
+    if (assignment.isOnePart()) continue;
     for (const Part& part : assignment.parts) {
       if (part.id == id) return {assignment, {part}, id};
       known += ", " + part.id;

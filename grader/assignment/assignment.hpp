@@ -57,8 +57,11 @@ struct Assignment {
   std::string title;
   std::vector<std::string> files;         ///< what a student edits
   std::vector<std::string> optionalFiles; ///< patterns such as "*.vert" that an upload may add
-  std::vector<Part> parts;
-  std::filesystem::path folder; ///< where it was read from
+  std::vector<Part> parts;                ///< a single one may have the assignment's own ID
+  std::filesystem::path folder;           ///< where it was read from
+
+  /// Has it one part alone, under its own ID? Its handout is then README.md.
+  bool isOnePart() const { return parts.size() == 1 && parts[0].id == id; }
 
   /// What the program reads beside its own files: assignment.json, scene.json, and presets.json if
   /// there is one.
@@ -85,7 +88,8 @@ struct Target {
   bool covers(const std::string& partId) const;
 };
 
-/// All assignments under `root/assignments` (or `root/solutions`), by ID.
+/// All assignments under `root/assignments`, by ID. Throws UsageError, also where two have an ID
+/// of an assignment or part in common.
 std::vector<Assignment> loadAssignments(const std::filesystem::path& folder);
 
 /// Finds the assignment or part `id` under `folder`. Throws UsageError that lists what there is.

@@ -57,12 +57,14 @@ void demo(const std::string& outText, bool asJson) {
   std::vector<report::Summary> pages;
   std::string surprises;
   grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
+  std::size_t count = 0;
   for (const Assignment& assignment : loadAssignments(assignmentsFolder())) {
     const fs::path solutions = solutionFolder(assignment.id);
     const std::vector<Example> all = examples(assignment, solutions);
+    count += all.size();
     for (const Example& example : all) {
       if (grading::interrupted) throw grading::Interrupted{};
-      progress(example.name, results.size(), all.size());
+      progress(example.name, results.size(), count);
       grading::TemporaryFolder patched;
       grading::GradeOptions how;
       how.upload = example.folder;

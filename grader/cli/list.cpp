@@ -41,10 +41,16 @@ void list(bool asJson) {
   for (const auto& assignment : all) {
     fmt::print("{}  {}\n", assignment["id"].get<std::string>(),
                assignment["title"].get<std::string>());
-    for (const auto& part : assignment["parts"])
-      fmt::print("  {:<14} {:>3} points + {} bonus, {} TODOs  {}\n", part["id"].get<std::string>(),
-                 part["points"].get<double>(), part["bonus"].get<double>(),
-                 part["todos"].get<int>(), part["title"].get<std::string>());
+    for (const auto& part : assignment["parts"]) {
+      const std::string worth = fmt::format(
+          "{} points + {} bonus, {} TODO{}", part["points"].get<double>(),
+          part["bonus"].get<double>(), part["todos"].get<int>(), part["todos"] == 1 ? "" : "s");
+      if (part["id"] == assignment["id"]) // its name and title stand above
+        fmt::print("  {}\n", worth);
+      else
+        fmt::print("  {:<14} {}  {}\n", part["id"].get<std::string>(), worth,
+                   part["title"].get<std::string>());
+    }
     fmt::print("  edit: {}\n  may add: {}\n",
                fmt::join(assignment["files"].get<std::vector<std::string>>(), " "),
                fmt::join(assignment["files_optional"].get<std::vector<std::string>>(), " "));

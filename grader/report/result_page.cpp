@@ -112,7 +112,8 @@ Data factsOf(const Result& result, const Audience& audience) {
     facts << group;
   };
   std::vector<std::pair<std::string, std::string>> run = {
-      {"part", result.assignment + " / " + result.part},
+      {"part",
+       result.part == result.assignment ? result.part : result.assignment + " / " + result.part},
       {"outcome", std::string(name(result.outcome))}};
   if (audience.instructor) {
     run.emplace_back("seed", std::to_string(result.seed));

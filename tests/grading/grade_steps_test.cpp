@@ -91,18 +91,20 @@ TEST_P(Step, CompilesWithoutAWarning) {
   }
 }
 
-TEST(Steps, StubHandoutsAndPicturesAreInStepWithTheSolution) {
+/// What `derive` makes of an assignment's solution is what is handed out.
+void expectInStep(const ggrade::Assignment& assignment) {
   const TemporaryFolder made;
-  const Ended ended = runTool({"derive", "floor", "--out", made.path()});
+  const Ended ended = runTool({"derive", assignment.id, "--out", made.path()});
   ASSERT_EQ(ended.exitCode, 0) << ended.errors;
   for (const std::string& name : names(made.path()))
     if (name != "handout") {
-      EXPECT_EQ(read(made.path() / name), read(assignmentFolder() / name)) << name;
+      EXPECT_EQ(read(made.path() / name), read(assignment.folder / name)) << name;
     }
-  for (const char* name : {"README.md", "mirror.md", "shadow.md", "bloom.md", "floor.cpp"})
+  EXPECT_TRUE(fs::exists(made.path() / "README.md"));
+  for (const std::string& name : assignment.files)
     EXPECT_TRUE(fs::exists(made.path() / name)) << name;
   const std::vector<std::string> pictures = names(made.path() / "handout");
-  EXPECT_EQ(pictures, names(assignmentFolder() / "handout"));
+  EXPECT_EQ(pictures, names(assignment.folder / "handout"));
   for (const std::string& name : pictures) {
     if (name.ends_with(".svg")) {
       EXPECT_EQ(read(made.path() / "handout" / name), read(assignmentFolder() / "handout" / name));
@@ -110,23 +112,37 @@ TEST(Steps, StubHandoutsAndPicturesAreInStepWithTheSolution) {
     }
     const ggrade::Comparison comparison =
         ggrade::compare(ggrade::readPng(made.path() / "handout" / name),
-                        ggrade::readPng(assignmentFolder() / "handout" / name));
+                        ggrade::readPng(assignment.folder / "handout" / name));
     EXPECT_EQ(comparison.wrongPixels, 0u) << name << ": " << comparison.message;
   }
+}
+
+TEST(Steps, StubHandoutsAndPicturesAreInStepWithTheSolution) {
+  for (const ggrade::Assignment& assignment : ggrade::loadAssignments(kSource / "assignments")) {
+    SCOPED_TRACE(assignment.id);
+    expectInStep(assignment);
+  }
+}
+
+TEST(Steps, EveryStepOfTheFloorHasItsTextAndItsPicture) {
+  for (const char* name : {"mirror.md", "shadow.md", "bloom.md"})
+    EXPECT_TRUE(fs::exists(assignmentFolder() / name)) << name;
+  const std::vector<std::string> pictures = names(assignmentFolder() / "handout");
   // A step that shows nothing in the window, but draws, shows its pass.
   for (const char* name : {"mirror-2-pass.png", "shadow-3-pass.png", "bloom-3-pass.png",
                            "bloom-4-pass.png", "bloom-5-pass.png"})
     EXPECT_THAT(pictures, Contains(name));
 }
 
-TEST(Steps, NothingOfTheSolutionStandsInTheAssignment) {
+/// Returns the number of blocks that the solution has.
+int expectNoSolutionIn(const ggrade::Assignment& assignment) {
   std::string handedOut;
-  for (const auto& entry : fs::recursive_directory_iterator(kSource / "assignments"))
+  for (const auto& entry : fs::recursive_directory_iterator(assignment.folder))
     if (entry.is_regular_file() && entry.path().extension() != ".png")
       handedOut += read(entry.path());
   EXPECT_THAT(handedOut, Not(HasSubstr("SOLUTION(")));
   int blocks = 0;
-  for (const auto& entry : fs::directory_iterator(kSource / "solutions/floor")) {
+  for (const auto& entry : fs::directory_iterator(kSource / "solutions" / assignment.id)) {
     const std::string name = entry.path().filename();
     if (!entry.is_regular_file() || name.starts_with("rubric")) continue;
     const std::string text = read(entry.path());
@@ -143,7 +159,14 @@ TEST(Steps, NothingOfTheSolutionStandsInTheAssignment) {
       }
     }
   }
-  EXPECT_GE(blocks, 7 + 6 + 6);
+  return blocks;
+}
+
+TEST(Steps, NothingOfTheSolutionStandsInTheAssignment) {
+  for (const ggrade::Assignment& assignment : ggrade::loadAssignments(kSource / "assignments")) {
+    SCOPED_TRACE(assignment.id);
+    EXPECT_GE(expectNoSolutionIn(assignment), assignment.id == "floor" ? 7 + 6 + 6 : 1);
+  }
 }
 
 } // namespace

@@ -77,6 +77,24 @@ TEST_F(AssignmentFile, TargetsAreAPartOrAll) {
   EXPECT_TRUE(all.covers("light"));
 }
 
+TEST_F(AssignmentFile, ASinglePartMayBeTheWholeAssignment) {
+  json one = kSample;
+  one["parts"].erase(1);
+  EXPECT_FALSE((write(one), Assignment::load(files_.path() / "cube").isOnePart()));
+  one["parts"][0]["id"] = "cube";
+  write(one);
+  const Target target = findTarget(files_.path(), "cube");
+  EXPECT_TRUE(target.assignment.isOnePart());
+  EXPECT_EQ(target.parts.size(), 1u);
+  EXPECT_EQ(target.maxScore(), 60);
+  EXPECT_EQ(messageOf<UsageError>([&] { findTarget(files_.path(), "ball"); }),
+            "there is no assignment or part \"ball\"; there are: cube");
+  json two = kSample;
+  two["parts"][0]["id"] = "cube";
+  write(two);
+  EXPECT_THAT(problem(), HasSubstr("\"cube\" stands there twice"));
+}
+
 TEST_F(AssignmentFile, WeightsCountWherePartsAreGradedTogether) {
   json weighed = kSample;
   weighed["parts"][0]["weight"] = 0.75;
@@ -134,6 +152,17 @@ TEST_F(AssignmentFile, TheSameIdTwiceIsRefused) {
   twice["parts"][1]["items"][0]["id"] = "turn.angle";
   write(twice);
   EXPECT_THAT(problem(), HasSubstr("\"turn.angle\" stands there twice"));
+}
+
+TEST_F(AssignmentFile, TheSameIdInTwoAssignmentsIsRefused) {
+  write(kSample);
+  json other = kSample;
+  other["id"] = "ball";
+  other["parts"].erase(0);
+  files_.write("ball/assignment.json", other.dump());
+  EXPECT_THAT(messageOf<UsageError>([&] { findTarget(files_.path(), "turn"); }),
+              AllOf(HasSubstr("\"light\" stands in "), HasSubstr("ball/assignment.json and in "),
+                    HasSubstr("cube/assignment.json: give one of them another ID")));
 }
 
 /// The sample with an item "turn.after" in the part "turn", changed by `change`.

@@ -3,7 +3,7 @@ ggrade_test(grading_unit_test unit
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/assignment_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/authoring_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/grading_catalogue_test.cpp
-    ${CMAKE_CURRENT_LIST_DIR}/grading_floor_catalogue_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/grading_catalogues_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/grading_parts_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/grading_rubric_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/grading_scenes_test.cpp

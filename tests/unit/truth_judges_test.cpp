@@ -40,8 +40,8 @@ double error(const truth::Answer& answer, const std::string& name) {
 
 TEST(TruthJudges, NamesThePartsThereAre) {
   EXPECT_THAT([] { truth::judgeOf("fog"); },
-              ThrowsMessage<std::invalid_argument>(
-                  "part fog has no truth; there are: bloom, mirror, shadow"));
+              ThrowsMessage<std::invalid_argument>(testing::ContainsRegex(
+                  "part fog has no truth; there are: .*bloom, .*mirror, .*shadow")));
 }
 
 TEST(TruthJudges, TheTruthHasNoError) {

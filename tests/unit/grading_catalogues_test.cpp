@@ -1,5 +1,5 @@
-// The floor's own catalogue: every header is complete, and every patch still applies, alone and in
-// its pairs. What they are worth is for `ggrade calibrate` to say.
+// The catalogues of all assignments: every header is complete, and every patch still applies, alone
+// and in its pairs. What they are worth is for `ggrade calibrate` to say.
 
 #include "grading/catalogue.hpp"
 #include "grading/patched.hpp"
@@ -15,32 +15,29 @@ using testing::EndsWith;
 
 namespace {
 
-const fs::path kSolution = GGRADE_SOURCE_DIR "/solutions/floor";
+std::vector<std::string> everyPart() {
+  std::vector<std::string> all;
+  for (const Assignment& assignment : loadAssignments(GGRADE_SOURCE_DIR "/assignments"))
+    for (const Part& part : assignment.parts) all.push_back(part.id);
+  return all;
+}
 
-class FloorCatalogue : public testing::TestWithParam<const char*> {
+class Catalogues : public testing::TestWithParam<std::string> {
 protected:
   Target target_ = findTarget(GGRADE_SOURCE_DIR "/assignments", GetParam());
+  fs::path solution_ = fs::path(GGRADE_SOURCE_DIR "/solutions") / target_.assignment.id;
   grading::Catalogue all_ =
-      grading::loadCatalogue(target_.assignment, target_.parts.at(0), kSolution, kSolution);
+      grading::loadCatalogue(target_.assignment, target_.parts.at(0), solution_, solution_);
 
   /// Applies the patches to the solution, in this order.
   void expectToApply(const std::vector<fs::path>& patches) {
     const TemporaryFolder into;
     EXPECT_NO_THROW(
-        grading::writePatched(target_.assignment, kSolution, patches, into.path() / "submission"));
+        grading::writePatched(target_.assignment, solution_, patches, into.path() / "submission"));
   }
 };
 
-TEST_P(FloorCatalogue, HasEnoughOfEveryKind) {
-  EXPECT_GE(all_.mistakes.size(), 20u);
-  EXPECT_GE(all_.variants.size(), 10u);
-  EXPECT_GE(all_.pairs.size(), 20u);
-  std::vector<std::string> variants;
-  for (const grading::Variant& variant : all_.variants) variants.push_back(variant.name);
-  EXPECT_THAT(variants, Contains(EndsWith("_lecture")));
-}
-
-TEST_P(FloorCatalogue, EveryMistakeSpeaksInSentences) {
+TEST_P(Catalogues, EveryMistakeSpeaksInSentences) {
   for (const grading::Mistake& mistake : all_.mistakes) {
     EXPECT_THAT(mistake.symptom, EndsWith(".")) << mistake.name;
     EXPECT_THAT(mistake.hint, testing::ContainsRegex("[.?]$")) << mistake.name;
@@ -54,17 +51,31 @@ TEST_P(FloorCatalogue, EveryMistakeSpeaksInSentences) {
   }
 }
 
-TEST_P(FloorCatalogue, EveryPatchApplies) {
+TEST_P(Catalogues, EveryPatchApplies) {
   for (const grading::Mistake& mistake : all_.mistakes) expectToApply({mistake.patch});
   for (const grading::Variant& variant : all_.variants) expectToApply({variant.patch});
 }
 
-TEST_P(FloorCatalogue, EveryPairAppliesInARow) {
+TEST_P(Catalogues, EveryPairAppliesInARow) {
   for (const auto& [first, second] : all_.pairs)
     expectToApply({all_.mistake(first)->patch, all_.mistake(second)->patch});
 }
 
+INSTANTIATE_TEST_SUITE_P(Parts, Catalogues, testing::ValuesIn(everyPart()),
+                         [](const auto& info) { return info.param; });
+
+class FloorCatalogue : public Catalogues {};
+
+TEST_P(FloorCatalogue, HasEnoughOfEveryKind) {
+  EXPECT_GE(all_.mistakes.size(), 20u);
+  EXPECT_GE(all_.variants.size(), 10u);
+  EXPECT_GE(all_.pairs.size(), 20u);
+  std::vector<std::string> variants;
+  for (const grading::Variant& variant : all_.variants) variants.push_back(variant.name);
+  EXPECT_THAT(variants, Contains(EndsWith("_lecture")));
+}
+
 INSTANTIATE_TEST_SUITE_P(Parts, FloorCatalogue, testing::Values("mirror", "shadow", "bloom"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& info) { return info.param; });
 
 } // namespace
