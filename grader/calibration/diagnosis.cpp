@@ -204,14 +204,15 @@ std::array<std::size_t, 4> DiagnosisFigures::counts(bool leftOut) const {
   return all;
 }
 
-double DiagnosisFigures::rightShare(bool elsewhere) const {
+std::optional<double> DiagnosisFigures::rightShare(bool elsewhere) const {
   std::size_t right = 0, all = 0;
   for (const DiagnosisCase& one : cases) {
     if (one.leftOut || one.variant.empty() == elsewhere) continue;
     ++all;
     if (one.worth == Answered::right) ++right;
   }
-  return all ? double(right) / double(all) : 0;
+  if (all == 0) return {};
+  return double(right) / double(all);
 }
 
 double DiagnosisFigures::wrongShare() const {
@@ -231,19 +232,22 @@ Section sectionOf(const DiagnosisFigures& figures) {
     return fmt::format("{} right, {} generic, {} unknown, {} wrong", counts[0], counts[1],
                        counts[2], counts[3]);
   };
+  const auto share = [](const std::optional<double>& right) {
+    return right ? fmt::format("in {:.1f}%", 100 * *right) : "in none, for none could be made";
+  };
   Section section;
   section.title = "Diagnosis";
   section.text = fmt::format(
       "Every mistake was made in the reference and in right answers written in another way, with "
       "seeds {}, which the thresholds were not chosen on. In the reference its first diagnosis was "
-      "right in {:.1f}% (wanted: at least {:.0f}%), elsewhere in {:.1f}% (at least {:.0f}%: with "
+      "right {} (wanted: at least {:.0f}%), elsewhere {} (at least {:.0f}%: with "
       "another filter or frustum a mistake may look like nothing that is known); all: {}. With its "
       "own signature left out it was given a wrong name in {:.1f}% (wanted: at most {:.0f}%): {}. "
       "Right is also a mistake that shows the same in every pass, and what was observed without "
       "pictures. Generic is a change of the picture that was measured, such as a scale. Below: "
       "what wasn't right.",
-      fmt::join(figures.seeds, ", "), 100 * figures.rightShare(false), 100 * kRightAnswers,
-      100 * figures.rightShare(true), 100 * kRightElsewhere, text(known),
+      fmt::join(figures.seeds, ", "), share(figures.rightShare(false)), 100 * kRightAnswers,
+      share(figures.rightShare(true)), 100 * kRightElsewhere, text(known),
       100 * figures.wrongShare(), 100 * kWrongAnswers, text(leftOut));
   section.columns = {"mistake", "made in", "seed", "its signature", "answer", "confidence", ""};
   for (const DiagnosisCase& one : figures.cases) {
@@ -269,9 +273,12 @@ nlohmann::json toJson(const DiagnosisFigures& figures) {
                      {"answer", one.answer},
                      {"confidence", one.confidence},
                      {"worth", name(one.worth)}});
+  const auto orNull = [](const std::optional<double>& share) {
+    return share ? nlohmann::json(*share) : nlohmann::json();
+  };
   return {{"seeds", figures.seeds},
-          {"right_share", figures.rightShare(false)},
-          {"right_share_elsewhere", figures.rightShare(true)},
+          {"right_share", orNull(figures.rightShare(false))},
+          {"right_share_elsewhere", orNull(figures.rightShare(true))},
           {"wrong_share", figures.wrongShare()},
           {"not_applied", figures.notApplied},
           {"cases", cases}};

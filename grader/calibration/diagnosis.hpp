@@ -6,6 +6,8 @@
 #include "calibration/page.hpp"
 #include "grading/diagnose.hpp"
 
+#include <optional>
+
 namespace ggrade::calibration {
 
 /// What one answer was worth.
@@ -40,8 +42,9 @@ struct DiagnosisFigures {
   /// Counts of each kind of answer, in the order of `Answered`.
   std::array<std::size_t, 4> counts(bool leftOut) const;
   /// Share of known mistakes whose first answer is right, 0 to 1: made in the reference, as the
-  /// catalogue has them, or `elsewhere`, in right answers that are written in another way.
-  double rightShare(bool elsewhere) const;
+  /// catalogue has them, or `elsewhere`, in right answers that are written in another way. Empty
+  /// where none could be made.
+  std::optional<double> rightShare(bool elsewhere) const;
   /// Share of unknown mistakes that were given a wrong name; 0 to 1.
   double wrongShare() const;
 };

@@ -134,11 +134,11 @@ std::string failuresOf(const calibration::DiagnosisFigures& figures, const std::
   const auto add = [&](double share, const char* what) {
     failures += fmt::format("{}: {:.1f}% of {}\n", part, 100 * share, what);
   };
-  if (figures.rightShare(false) < calibration::kRightAnswers)
-    add(figures.rightShare(false), "the mistakes are named right: too few");
-  if (figures.rightShare(true) < calibration::kRightElsewhere)
-    add(figures.rightShare(true), "the mistakes in programs that are written in another way are "
-                                  "named right: too few");
+  if (const auto right = figures.rightShare(false); right && *right < calibration::kRightAnswers)
+    add(*right, "the mistakes are named right: too few");
+  if (const auto right = figures.rightShare(true); right && *right < calibration::kRightElsewhere)
+    add(*right,
+        "the mistakes in programs that are written in another way are named right: too few");
   if (figures.wrongShare() > calibration::kWrongAnswers)
     add(figures.wrongShare(), "unknown mistakes are given a wrong name: too many");
   return failures;

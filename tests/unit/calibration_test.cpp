@@ -1,6 +1,7 @@
 // What the gradings of known answers say of the grader, on scores made up for it.
 
 #include "calibration/adopt.hpp"
+#include "calibration/diagnosis.hpp"
 #include "calibration/page.hpp"
 #include "calibration/pictures.hpp"
 #include "calibration/score_file.hpp"
@@ -276,6 +277,21 @@ TEST(CalibrationPage, ClaimsNothingWhereOnlyTheDiagnosisWasMeasured) {
               AllOf(HasSubstr("Only whether mistakes are named right was measured this time."),
                     HasSubstr("the diagnosis alone"), HasSubstr("<h3>Diagnosis</h3>"),
                     Not(HasSubstr("gradings was wrong")), Not(HasSubstr("<svg"))));
+}
+
+TEST(DiagnosisFigures, SayNothingOfMistakesThatNoRightAnswerCouldBeCombinedWith) {
+  DiagnosisFigures figures;
+  EXPECT_EQ(figures.rightShare(false), std::nullopt);
+  figures.cases = {{"p_m", "", 1, false, "p_m", 1, Answered::right},
+                   {"p_m", "", 2, false, "", 0, Answered::unknown},
+                   {"p_m", "p_v", 1, true, "", 0, Answered::unknown}};
+  EXPECT_EQ(figures.rightShare(false), 0.5);
+  EXPECT_EQ(figures.rightShare(true), std::nullopt);
+  EXPECT_THAT(sectionOf(figures).text, HasSubstr("elsewhere in none, for none could be made (at"));
+  EXPECT_TRUE(toJson(figures).at("right_share_elsewhere").is_null());
+  figures.cases.push_back({"p_m", "p_v", 1, false, "", 0, Answered::unknown});
+  EXPECT_EQ(figures.rightShare(true), 0);
+  EXPECT_THAT(sectionOf(figures).text, HasSubstr("elsewhere in 0.0% (at"));
 }
 
 TEST(ScoreFile, KeepsAScoreAndKnowsAHalfWrittenOne) {
