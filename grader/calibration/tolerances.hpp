@@ -51,12 +51,13 @@ int halfOf(const std::string& name);
 CrossValidation crossValidate(const std::string& part, const std::vector<ItemDeclaration>& items,
                               const std::vector<Trial>& trials);
 
-/// Draws the catalogue's single programs once a seed and judges them with every setting. Kept in
-/// the cache like other gradings. No pass is carried forward: the items stand for themselves.
+/// Draws the catalogue's single programs once a seed, in the scenes of `quality`, and judges them
+/// with every setting. Kept in the cache like other gradings. No pass is carried forward: the items
+/// stand for themselves.
 std::vector<Trial> tryTolerances(const Target& target, const std::filesystem::path& solutionFolder,
                                  const std::vector<Program>& programs,
-                                 const std::vector<std::uint64_t>& seeds, unsigned jobs,
-                                 const grading::Progress& progress);
+                                 const std::vector<std::uint64_t>& seeds, grading::Quality quality,
+                                 unsigned jobs, const grading::Progress& progress);
 
 nlohmann::json toJson(const CrossValidation& result);
 Section sectionOf(const CrossValidation& result);

@@ -23,8 +23,8 @@ struct Drawn {
 class Trials {
 public:
   Trials(const Target& target, const fs::path& solutionFolder, const std::vector<Program>& programs,
-         unsigned jobs)
-      : target_(target), solutionFolder_(solutionFolder), jobs_(jobs),
+         grading::Quality quality, unsigned jobs)
+      : target_(target), solutionFolder_(solutionFolder), quality_(quality), jobs_(jobs),
         subjects_(subjectsOf(target, solutionFolder, programs, work_.path())) {
     for (const Setting& setting : settings()) {
       trials_.push_back({setting, {}});
@@ -33,7 +33,7 @@ public:
   }
 
   void trySeed(std::uint64_t seed, const std::function<void()>& step) {
-    const ScenePlan plan = grading::drawScenes(target_, solutionFolder_, {seed});
+    const ScenePlan plan = grading::drawScenes(target_, solutionFolder_, {seed, quality_});
     const std::string common = "trial " + grading::gradingKey(target_, solutionFolder_, plan);
     const auto fileOf = [&](const Trial& trial, const Subject& subject) {
       return scoreFile(fmt::format("{} {} {} {}", common, trial.setting.steps, trial.setting.radius,
@@ -110,6 +110,7 @@ private:
 
   const Target& target_;
   const fs::path& solutionFolder_;
+  grading::Quality quality_;
   unsigned jobs_;
   grading::TemporaryFolder work_;
   std::vector<std::unique_ptr<Subject>> subjects_;
@@ -120,9 +121,9 @@ private:
 
 std::vector<Trial> tryTolerances(const Target& target, const fs::path& solutionFolder,
                                  const std::vector<Program>& programs,
-                                 const std::vector<std::uint64_t>& seeds, unsigned jobs,
-                                 const grading::Progress& progress) {
-  Trials trials(target, solutionFolder, programs, jobs);
+                                 const std::vector<std::uint64_t>& seeds, grading::Quality quality,
+                                 unsigned jobs, const grading::Progress& progress) {
+  Trials trials(target, solutionFolder, programs, quality, jobs);
   std::size_t done = 0;
   for (std::uint64_t seed : seeds)
     trials.trySeed(seed, [&] { progress("tolerances", ++done, seeds.size() * settings().size()); });

@@ -103,8 +103,9 @@ calibration::CrossValidation crossValidate(const Options& options, const Target&
   });
   seeds = {seeds.back()};
   Progress progress("calibrating " + target.id);
-  const auto trials = calibration::tryTolerances(target, solutions, programs, seeds, options.jobs,
-                                                 std::ref(progress));
+  const auto trials = calibration::tryTolerances(target, solutions, programs, seeds,
+                                                 grading::parseQuality(options.quality),
+                                                 options.jobs, std::ref(progress));
   return calibration::crossValidate(target.id, target.items(), trials);
 }
 
