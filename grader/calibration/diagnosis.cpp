@@ -111,7 +111,7 @@ private:
                const grading::References& references, grading::JudgeServer& server) {
     grading::GradeOptions how;
     how.upload = made.folder;
-    how.pictures = false;
+    how.pictures = how.twice = false;
     how.threads = 1;
     how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem,
                       const std::vector<std::string>& again) {

@@ -77,7 +77,7 @@ private:
     if (subject.measured.program.kind == Kind::pictures)
       return gradePictures(subject.measured.program.name, plan, references, server);
     grading::GradeOptions how;
-    how.pictures = false;
+    how.pictures = how.twice = false;
     how.threads = 1;
     how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem,
                       const std::vector<std::string>& again) {

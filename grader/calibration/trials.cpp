@@ -90,7 +90,7 @@ private:
       if (grading::interrupted) throw grading::Interrupted{};
       if (!subjects_[i]->measured.problem.empty()) return;
       grading::GradeOptions how;
-      how.pictures = false;
+      how.pictures = how.twice = false;
       how.threads = 1;
       how.judging = [&](const std::vector<rubric::SceneFolders>& scenes, const fs::path&,
                         std::string&, const std::vector<std::string>&) {

@@ -73,7 +73,7 @@ void adopt(const Options& options) {
     Progress progress("calibrate");
     grading::GradeOptions how;
     how.upload = options.adopt;
-    how.pictures = false;
+    how.pictures = how.twice = false;
     how.progress = std::ref(progress);
     items = grading::grade(target, solutions, how).items;
   }

@@ -147,13 +147,11 @@ report::Scene describe(const rubric::SceneFolders& folders, const Rendering& ren
 }
 
 /// Byte for byte: whether a second run does the same is then no question.
-bool drawsTheReference(const Rendering& rendering, const rubric::SceneFolders& scene,
-                       ReferencePictures& pictures) {
-  const auto same = [](const channel::CapturedFrame& frame,
-                       const ReferencePictures::Frame& reference) {
-    return frame.written && frame.pixels == reference.raw.pixels;
+bool drawsTheReference(const Rendering& rendering, const rubric::SceneFolders& scene) {
+  const auto same = [](const channel::CapturedFrame& frame, const rubric::RawFrame& reference) {
+    return frame.written && frame.pixels == reference.pixels;
   };
-  return std::ranges::equal(rendering.capture.frames, pictures.of(scene.reference), same);
+  return std::ranges::equal(rendering.capture.frames, rubric::readFrames(scene.reference), same);
 }
 
 /// Items as declared, nothing earned: for submissions that never came to be judged.
@@ -179,7 +177,6 @@ template <class StudentFolder>
 Renderings renderScenes(const Target& target, const Built& built, const ScenePlan& plan,
                         const References& references, const StudentFolder& studentFolder,
                         const fs::path& shaderFolder, const GradeOptions& options,
-                        ReferencePictures& pictures,
                         const std::function<void(std::size_t done)>& progress) {
   std::vector<Rendering> renderings(references.scenes.size());
   std::optional<Rendering> again;
@@ -212,8 +209,8 @@ Renderings renderScenes(const Target& target, const Built& built, const ScenePla
     }
     render(first++);
     shaders = {shaderFolder, {}};
-    twice = options.pictures && plan.quality != Quality::fast && renderings[0].happened.ok() &&
-            !drawsTheReference(renderings[0], references.scenes[0], pictures);
+    twice = options.twice && plan.quality != Quality::fast && renderings[0].happened.ok() &&
+            !drawsTheReference(renderings[0], references.scenes[0]);
   }
   inParallel(renderings.size() - first + twice, options.threads, [&](std::size_t i) {
     if (first + i < renderings.size())
@@ -388,9 +385,8 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   {
     const Stopwatch time(result, "render");
     progress("rendering", 1, steps);
-    renderings =
-        renderScenes(target, built, plan, references, studentFolder, shaders, options, pictures,
-                     [&](std::size_t done) { progress("rendering", done, steps); });
+    renderings = renderScenes(target, built, plan, references, studentFolder, shaders, options,
+                              [&](std::size_t done) { progress("rendering", done, steps); });
   }
   nameOutcome(renderings.scenes, folders, result);
 

@@ -29,9 +29,10 @@ struct GradeOptions {
       false; ///< `upload` is a trusted folder of solutions/, its other files are expected
   Draw draw;
   std::vector<std::string> judgeArguments; ///< GoogleTest's
-  /// False for who wants scores only: the result has items but no scenes, and the public scene is
-  /// not run a second time to see whether the program draws the same again.
-  bool pictures = true;
+  bool pictures = true; ///< false for who wants scores only: the result has items but no scenes
+  /// Does the public scene run a second time (not with quality `fast`, nor if the program draws the
+  /// reference's picture) to see whether the program draws the same again?
+  bool twice = true;
   unsigned threads = workers(); ///< scenes rendered at a time; 1: nothing goes on beside another
   bool diagnosis = true;        ///< `grade` looks for the likeliest cause of lost points
   /// For who grades many submissions, one at a time, against the same references; empty: read anew.
