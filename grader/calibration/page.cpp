@@ -3,6 +3,7 @@
 #include "calibration/plot.hpp"
 #include "image/compare.hpp"
 #include "report/page.hpp"
+#include "report/page_parts.hpp"
 #include "report/templates.hpp"
 #include "report/text.hpp"
 
@@ -33,7 +34,7 @@ Data cellsOf(const std::vector<std::string>& texts) {
 Data sectionOf(const Section& section) {
   Data data, rows = makeList();
   data["sectionTitle"] = line(section.title);
-  data["sectionText"] = line(section.text);
+  data["sectionText"] = report::text(section.text);
   data["columns"] = cellsOf(section.columns);
   for (const auto& cells : section.rows) {
     Data row;
@@ -42,6 +43,7 @@ Data sectionOf(const Section& section) {
   }
   data["sectionRows"] = std::move(rows);
   data["hasTable"] = Data(!section.columns.empty());
+  data["chart"] = report::optional(section.chart);
   return data;
 }
 
@@ -87,7 +89,7 @@ Data partOf(const PagePart& part) {
   data["measured"] = Data(!verdicts.rows.empty());
   data["partState"] = Data(broken == 0 ? "full" : "none");
   if (verdicts.rows.empty())
-    data["partVerdict"] = Data("the diagnosis alone");
+    data["partVerdict"] = line(part.alone + " alone");
   else
     data["partVerdict"] = Data(broken == 0 ? std::string("all of it holds")
                                            : fmt::format("{} of it doesn't hold", broken));
@@ -115,7 +117,7 @@ Data partOf(const PagePart& part) {
 
 } // namespace
 
-std::string calibrationPage(const std::vector<PagePart>& parts) {
+std::string calibrationPage(const std::vector<PagePart>& parts, const std::string& figures) {
   Data data, list = makeList();
   std::size_t gradings = 0, wrong = 0, broken = 0;
   for (const PagePart& part : parts) {
@@ -128,7 +130,7 @@ std::string calibrationPage(const std::vector<PagePart>& parts) {
   data["parts"] = std::move(list);
   data["state"] = Data(broken == 0 ? "full" : "none");
   if (gradings == 0)
-    data["verdict"] = Data("Only whether mistakes are named right was measured this time.");
+    data["verdict"] = line(fmt::format("Only {} was measured this time.", parts.at(0).alone));
   else
     data["verdict"] = Data(
         broken == 0 ? fmt::format("None of {} gradings was wrong.", gradings)
@@ -136,6 +138,7 @@ std::string calibrationPage(const std::vector<PagePart>& parts) {
                                   "do{} not.",
                                   wrong, gradings, broken, broken == 1 ? "" : "s",
                                   broken == 1 ? "es" : ""));
+  data["figures"] = line(figures);
   data["rightScore"] = Data(number(kRightScore));
   data["spread"] = Data(number(kSpread));
   data["itemLoss"] = Data(number(100 * kItemLoss));

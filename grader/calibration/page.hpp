@@ -9,11 +9,12 @@
 
 namespace ggrade::calibration {
 
-/// What another measurement has to say of a part: a heading, a paragraph, a table.
+/// What another measurement has to say of a part: a heading, a paragraph, a table, a chart.
 struct Section {
   std::string title, text;
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
+  std::string chart{}; ///< an inline SVG above the table, or empty
 };
 
 struct PagePart {
@@ -21,9 +22,12 @@ struct PagePart {
   Verdicts verdicts;
   std::vector<Measured> measured; ///< in the order of verdicts.rows
   std::vector<Section> sections;  ///< below the table: cross-validation, diagnosis
+  std::string alone{}; ///< where there are no verdicts, what was measured: "the diagnosis"
 };
 
-/// \throws std::logic_error if the template doesn't parse.
-std::string calibrationPage(const std::vector<PagePart>& parts);
+/// `figures` is the file beside the page that has all figures. \throws std::logic_error if the
+/// template doesn't parse.
+std::string calibrationPage(const std::vector<PagePart>& parts,
+                            const std::string& figures = "calibration.json");
 
 } // namespace ggrade::calibration

@@ -43,6 +43,14 @@ std::vector<Program> programsOf(const Assignment& assignment, const grading::Cat
                                 const std::filesystem::path& solutionFolder,
                                 const std::vector<std::string>& only);
 
+/// What a whole-image measure says of a submission's pictures.
+struct PictureError {
+  double worst = 0; ///< of all pictures: 0 right, more is worse
+  double ms = 0;    ///< processor time for a picture
+
+  bool operator==(const PictureError&) const = default;
+};
+
 /// One grading of one program.
 struct Score {
   std::uint64_t seed = 0;
@@ -50,8 +58,11 @@ struct Score {
   std::string detail;
   double score = 0, bonus = 0;
   double seconds = 0; ///< that rendering and judging took; building and pictures come on top
+  double judgeMs = 0; ///< of them: the first judging, for a picture, by the clock
   std::map<std::string, double> earned;        ///< by item; keep items 0 or less
   std::map<std::string, std::string> messages; ///< of items that lost something
+  std::map<std::string, PictureError>
+      measures; ///< by name, if they were asked for; see whole_image.hpp
 
   bool operator==(const Score&) const = default;
 };

@@ -12,10 +12,14 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 json toJson(const Score& score) {
-  return {{"seed", score.seed},     {"outcome", report::name(score.outcome)},
-          {"detail", score.detail}, {"score", score.score},
-          {"bonus", score.bonus},   {"seconds", score.seconds},
-          {"earned", score.earned}, {"messages", score.messages}};
+  json measures = json::object();
+  for (const auto& [name, error] : score.measures)
+    measures[name] = {{"worst", error.worst}, {"ms", error.ms}};
+  return {{"seed", score.seed},         {"outcome", report::name(score.outcome)},
+          {"detail", score.detail},     {"score", score.score},
+          {"bonus", score.bonus},       {"seconds", score.seconds},
+          {"judge_ms", score.judgeMs},  {"earned", score.earned},
+          {"messages", score.messages}, {"measures", measures}};
 }
 
 Score scoreFrom(const json& from) {
@@ -25,6 +29,9 @@ Score scoreFrom(const json& from) {
   score.score = from.at("score");
   score.bonus = from.at("bonus");
   score.seconds = from.at("seconds");
+  score.judgeMs = from.at("judge_ms");
+  for (const auto& [name, error] : from.at("measures").items())
+    score.measures[name] = {error.at("worst"), error.at("ms")};
   score.earned = from.at("earned").get<std::map<std::string, double>>();
   score.messages = from.at("messages").get<std::map<std::string, std::string>>();
   score.outcome =

@@ -76,7 +76,7 @@ grading::References prepare(const Target& target, const fs::path& solutionFolder
       grading::drawScenes(target, solutionFolder, {std::nullopt, plan.quality});
   grading::References own = grading::prepareReferences(target, solutionFolder, usual, quiet);
   grading::References all =
-      plan.seed == usual.seed
+      grading::describe(plan) == grading::describe(usual)
           ? std::move(own)
           : grading::prepareReferences(target, solutionFolder, plan, quiet, folder);
   // Most programs of the catalogue share most shaders with the reference: half of a run's time.
@@ -99,7 +99,7 @@ Score scoreOf(const report::Result& result) {
   score.score = result.score;
   score.bonus = result.bonus;
   for (const report::Timing& timing : result.timings)
-    if (timing.what != "build") score.seconds += timing.seconds;
+    if (timing.what != "build" && timing.what != "diagnose") score.seconds += timing.seconds;
   for (const report::Item& item : result.items) {
     score.earned[item.id] = item.earned;
     const double full = item.kind == report::ItemKind::keep ? 0 : item.points;

@@ -5,6 +5,7 @@
 #include "calibration/measure.hpp"
 #include "calibration/page.hpp"
 #include "calibration/tolerances.hpp"
+#include "calibration/trade.hpp"
 #include "calibration/verdicts.hpp"
 #include "cli/terminal.hpp"
 #include "grading/grade.hpp"
@@ -26,7 +27,7 @@ struct Options {
   unsigned seeds = 10, jobs = grading::workers();
   std::uint64_t firstSeed = 1;
   bool haveFirstSeed = false, skipTrials = false, skipDiagnosis = false, json = false;
-  bool diagnosisOnly = false;
+  bool diagnosisOnly = false, trade = false;
 };
 
 /// The parts that an ID names, each a target of its own.
@@ -56,6 +57,11 @@ fs::path catalogueFolder(const Options& options, const fs::path& solutions) {
   if (!fs::is_directory(options.catalogue))
     throw UsageError(fmt::format("--catalogue {}: there is no such folder", options.catalogue));
   return options.catalogue;
+}
+
+fs::path resultsFolder(const Options& options) {
+  return outputFolder(options.out.empty() ? (fs::path("out/calibrate") / options.id).string()
+                                          : options.out);
 }
 
 void adopt(const Options& options) {
@@ -147,8 +153,7 @@ std::string failuresOf(const calibration::DiagnosisFigures& figures, const std::
 
 void calibrate(const Options& options) {
   const std::vector<Target> targets = partsOf(options.id);
-  const fs::path out = outputFolder(
-      options.out.empty() ? (fs::path("out/calibrate") / options.id).string() : options.out);
+  const fs::path out = resultsFolder(options);
   requireSandbox();
   nlohmann::json parts = nlohmann::json::array();
   std::vector<calibration::PagePart> pages;
@@ -160,7 +165,8 @@ void calibrate(const Options& options) {
     if (options.diagnosisOnly) {
       const auto figures = diagnoseAll(options, target, solutions, catalogue);
       parts.push_back({{"part", target.id}, {"diagnosis", calibration::toJson(figures)}});
-      calibration::PagePart page{target.parts[0].title, {}, {}, {calibration::sectionOf(figures)}};
+      calibration::PagePart page{
+          target.parts[0].title, {}, {}, {calibration::sectionOf(figures)}, "the diagnosis"};
       page.verdicts.part = target.id;
       tables += page.sections[0].text + "\n\n";
       failures += failuresOf(figures, target.id);
@@ -170,12 +176,12 @@ void calibrate(const Options& options) {
     Progress progress("calibrating " + target.id);
     calibration::MeasureOptions how;
     how.seeds = seedsOf(options, target, solutions);
-    how.quality = grading::parseQuality(options.quality);
+    how.looks[0].quality = grading::parseQuality(options.quality);
     how.jobs = options.jobs;
     how.progress = std::ref(progress);
     const auto programs =
         calibration::programsOf(target.assignment, catalogue, solutions, options.only);
-    const auto measured = calibration::measure(target, solutions, programs, how);
+    const auto measured = calibration::measure(target, solutions, programs, how)[0];
     progress.clear();
     const auto verdicts = calibration::judge(target.id, target.items(), measured);
     tables += calibration::tableOf(verdicts) + '\n';
@@ -210,6 +216,46 @@ void calibrate(const Options& options) {
   exitCode = kNotGradable;
 }
 
+/// Errors and seconds of looking less closely, and of whole-image measures.
+void trade(const Options& options) {
+  const std::vector<Target> targets = partsOf(options.id);
+  const fs::path out = resultsFolder(options);
+  requireSandbox();
+  std::vector<calibration::Trade> all;
+  std::vector<calibration::PagePart> pages;
+  nlohmann::json parts = nlohmann::json::array();
+  for (const Target& target : targets) {
+    const fs::path solutions = solutionFolder(target.assignment.id);
+    const auto catalogue = grading::loadCatalogue(target.assignment, target.parts[0], solutions,
+                                                  catalogueFolder(options, solutions));
+    const auto programs =
+        calibration::programsOf(target.assignment, catalogue, solutions, options.only);
+    Progress progress("calibrating " + target.id);
+    all.push_back(calibration::measureTrade(
+        target, solutions, programs,
+        {seedsOf(options, target, solutions), options.jobs, std::ref(progress)}));
+    parts.push_back(calibration::toJson(all.back()));
+    calibration::PagePart page;
+    page.title = target.parts[0].title;
+    page.verdicts.part = target.id;
+    page.sections = calibration::sectionsOf(all.back());
+    page.alone = "the grader's trade of time against errors";
+    pages.push_back(std::move(page));
+  }
+  const nlohmann::json json = {{"parts", parts}};
+  grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
+  report::writeFile(work.path() / "trade.json", json.dump(1) + '\n');
+  report::writeFile(work.path() / "trade.csv", calibration::csvOf(all));
+  report::writeFile(work.path() / "index.html", calibration::calibrationPage(pages, "trade.json"));
+  work.publish(out);
+  if (options.json) {
+    std::cout << json.dump(2) << '\n';
+    return;
+  }
+  for (const calibration::Trade& one : all) std::cout << calibration::textOf(one) << '\n';
+  std::cout << (out / "index.html").string() << '\n';
+}
+
 } // namespace
 
 void addCalibrate(CLI::App& app) {
@@ -225,7 +271,7 @@ void addCalibrate(CLI::App& app) {
                     ->add_option("--first-seed", options->firstSeed,
                                  "Seeds from here on (default: the assignment's, then 1, 2, ...)")
                     ->check(notAWholeNumber);
-  declareQuality(*command, options->quality, "How closely gradings look");
+  auto* quality = declareQuality(*command, options->quality, "How closely gradings look");
   command->add_option("--only", options->only,
                       "Names or kinds: reference, variant, mistake, pair, pictures, stub");
   command->add_option("--out", options->out, "Where the results go (default out/calibrate/ID)");
@@ -238,9 +284,15 @@ void addCalibrate(CLI::App& app) {
                     "Don't try other tolerances than the published ones (--only skips it, too)");
   command->add_flag("--skip-diagnosis", options->skipDiagnosis,
                     "Don't measure whether mistakes are named right (--only skips it, too)");
-  command->add_flag("--diagnosis", options->diagnosisOnly,
-                    "Measure nothing but whether mistakes are named right");
-  command->add_flag("--json", options->json, "Print calibration.json on stdout");
+  auto* diagnosis = command->add_flag("--diagnosis", options->diagnosisOnly,
+                                      "Measure nothing but whether mistakes are named right");
+  command
+      ->add_flag("--trade", options->trade,
+                 "Measure nothing but what looking less closely saves and costs: each --quality, "
+                 "smaller windows, fewer hidden scenes, whole-image measures instead of a rubric")
+      ->excludes(diagnosis)
+      ->excludes(quality);
+  command->add_flag("--json", options->json, "Print calibration.json (trade.json) on stdout");
   auto* adopted = command->add_option("--adopt", options->adopt,
                                       "Take this submission into the catalogue, anonymously");
   command->add_option("--as", options->as, "What the submission is: variant or mistake")
@@ -259,11 +311,14 @@ void addCalibrate(CLI::App& app) {
       "Examples:\n"
       "  ggrade calibrate all\n"
       "  ggrade calibrate mirror --seeds 2 --only light_not_mirrored variant\n"
+      "  ggrade calibrate all --trade --seeds 1 --out out/trade\n"
       "  ggrade calibrate mirror --adopt uploads/disputed --as variant --name two_textures");
   command->callback([options, first, adopted] {
     options->haveFirstSeed = first->count() > 0;
     if (adopted->count() > 0)
       adopt(*options);
+    else if (options->trade)
+      trade(*options);
     else
       calibrate(*options);
   });

@@ -34,7 +34,7 @@ std::vector<std::string> chooseSandbox(const std::string& word);
 std::string notAWholeNumber(const std::string& text);
 
 /// `--quality` of a command that grades.
-void declareQuality(CLI::App& app, std::string& quality, const std::string& about);
+CLI::Option* declareQuality(CLI::App& app, std::string& quality, const std::string& about);
 
 /// The folder that --out names, without a slash at its end. Throws UsageError with the remedy,
 /// before any work is done, unless it can be made or replaced (see grading::requireReplaceable).

@@ -105,10 +105,11 @@ std::string notAWholeNumber(const std::string& text) {
   return digits ? std::string() : text + " is not a whole number from 0";
 }
 
-void declareQuality(CLI::App& app, std::string& quality, const std::string& about) {
-  app.add_option("--quality", quality,
-                 about + ": fast (a fifth less time; no scenes that are like another but for a "
-                         "change, no second run), balanced, thorough (hidden scenes drawn twice)")
+CLI::Option* declareQuality(CLI::App& app, std::string& quality, const std::string& about) {
+  return app
+      .add_option("--quality", quality,
+                  about + ": fast (a fifth less time; no scenes that are like another but for a "
+                          "change, no second run), balanced, thorough (hidden scenes drawn twice)")
       ->check(CLI::IsMember(
           std::vector<std::string>(std::begin(grading::kQualities), std::end(grading::kQualities))))
       ->capture_default_str();

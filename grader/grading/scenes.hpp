@@ -10,7 +10,7 @@
 
 namespace ggrade::grading {
 
-/// How closely a grading looks, for the time that it takes: `ggrade calibrate --quality` measures
+/// How closely a grading looks, for the time that it takes: `ggrade calibrate --trade` measures
 /// both.
 enum class Quality {
   fast,     ///< no scenes that are like another one but for a change, and no second run

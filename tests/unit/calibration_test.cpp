@@ -273,8 +273,9 @@ TEST(CalibrationPage, ClaimsNothingWhereOnlyTheDiagnosisWasMeasured) {
   PagePart part;
   part.title = "Part one";
   part.sections.push_back({"Diagnosis", "Of 10, 9.", {}, {}});
+  part.alone = "the diagnosis";
   EXPECT_THAT(calibrationPage({part}),
-              AllOf(HasSubstr("Only whether mistakes are named right was measured this time."),
+              AllOf(HasSubstr("Only the diagnosis was measured this time."),
                     HasSubstr("the diagnosis alone"), HasSubstr("<h3>Diagnosis</h3>"),
                     Not(HasSubstr("gradings was wrong")), Not(HasSubstr("<svg"))));
 }
