@@ -51,6 +51,7 @@ void addDemo(CLI::App& app);
 void addCalibrate(CLI::App& app);
 void addTradeoff(CLI::App& app);
 void addDerive(CLI::App& app);
+void addNew(CLI::App& app);
 void addJudge(CLI::App& app);
 
 } // namespace ggrade::cli

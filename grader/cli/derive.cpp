@@ -1,8 +1,9 @@
-#include "cli/commands.hpp"
+#include "cli/derive.hpp"
 
 #include "authoring/handout.hpp"
 #include "authoring/pass_picture.hpp"
 #include "authoring/solution_blocks.hpp"
+#include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "grading/program.hpp"
 #include "grading/references.hpp"
@@ -148,6 +149,21 @@ void writeTexts(const Assignment& assignment, const fs::path& solutions, const j
       write(solutions / name, into / name);
 }
 
+} // namespace
+
+void deriveInto(const Assignment& assignment, const fs::path& solutions, const fs::path& into,
+                bool pictures) {
+  report::makeFolder(into / "handout");
+  writeSources(assignment, solutions, {}, into);
+  const json figures = writeMeasured(solutions / "tradeoff", into);
+  if (fs::exists(solutions / "handout.md")) {
+    writeTexts(assignment, solutions, figures, into);
+    if (pictures) writePictures(assignment, solutions, into / "handout");
+  }
+}
+
+namespace {
+
 void derive(const Options& options) {
   const Target target = findTarget(assignmentsFolder(), options.id);
   const Assignment& assignment = target.assignment;
@@ -166,13 +182,7 @@ void derive(const Options& options) {
     return;
   }
   const fs::path into = options.out.empty() ? assignment.folder : fs::path(options.out);
-  report::makeFolder(into / "handout");
-  writeSources(assignment, solutions, {}, into);
-  const json figures = writeMeasured(solutions / "tradeoff", into);
-  if (fs::exists(solutions / "handout.md")) {
-    writeTexts(assignment, solutions, figures, into);
-    if (!options.noPictures) writePictures(assignment, solutions, into / "handout");
-  }
+  deriveInto(assignment, solutions, into, !options.noPictures);
   fmt::print("{}: stub and handout are in step with {}\n", into.string(), solutions.string());
 }
 

@@ -60,6 +60,7 @@ int run(int argc, char** argv) {
   addCalibrate(app);
   addTradeoff(app);
   addDerive(app);
+  addNew(app);
   addJudge(app);
   // Not CLI11's own `--`, which gives the next word to whatever positional is still open.
   char** const end = argv + argc;

@@ -63,15 +63,14 @@ void requireReplaceable(const fs::path& folder) {
     if (!ours.count(name)) refuseForeign(folder, name);
 }
 
-TemporaryFolder::TemporaryFolder(const fs::path& parent) {
+TemporaryFolder::TemporaryFolder(const fs::path& parent, const char* remedy) {
   std::error_code error;
   const fs::path base = parent.empty() ? fs::temp_directory_path() : parent;
   fs::create_directories(base, error);
   std::string name = (base / (std::string(kTemporaryMark) + "XXXXXX")).string();
   if (!mkdtemp(name.data()))
-    throw UsageError(fmt::format("can't write to {}: {}. Name another folder with --out, or give "
-                                 "yourself write permission",
-                                 base.string(), std::strerror(errno)));
+    throw UsageError(
+        fmt::format("can't write to {}: {}. {}", base.string(), std::strerror(errno), remedy));
   path_ = name;
 }
 

@@ -31,7 +31,9 @@ void requireReplaceable(const std::filesystem::path& folder);
 class TemporaryFolder {
 public:
   /// Under `parent`, or the system's temporary folder. Throws UsageError with the remedy.
-  explicit TemporaryFolder(const std::filesystem::path& parent = {});
+  explicit TemporaryFolder(const std::filesystem::path& parent = {},
+                           const char* remedy = "Name another folder with --out, or give yourself "
+                                                "write permission");
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;

@@ -357,7 +357,8 @@ TEST(Commands, EveryHelpHasAnExample) {
   const Ended all = runTool({"--help"});
   EXPECT_EQ(all.exitCode, 0);
   EXPECT_THAT(all.out, HasSubstr("Examples:"));
-  for (const std::string command : {"list", "render", "grade", "demo", "derive", "compare"}) {
+  for (const std::string command :
+       {"list", "render", "grade", "demo", "derive", "new", "compare"}) {
     const Ended help = runTool({command, "--help"});
     EXPECT_EQ(help.exitCode, 0) << command;
     EXPECT_THAT(help.out, ContainsRegex("Examples?:?\n  ggrade " + command));

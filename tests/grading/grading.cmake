@@ -10,6 +10,11 @@ foreach(part common passes pyramid)
 endforeach()
 ggrade_test(grading_test grading SOURCES ${sources} LIBRARIES grading_tool TIMEOUT 600)
 add_dependencies(grading_test ggrade_tool ggrade_compare floor floor_solution)
+# What a copy of the tree is built with, as this one is.
+find_package(Git REQUIRED)
+target_compile_definitions(grading_test PRIVATE GGRADE_CMAKE="${CMAKE_COMMAND}"
+  GGRADE_NINJA="${CMAKE_MAKE_PROGRAM}" GGRADE_GIT="${GIT_EXECUTABLE}"
+  GGRADE_BUILD_TYPE="${CMAKE_BUILD_TYPE}")
 ggrade_test(window_test gl SOURCES ${CMAKE_CURRENT_LIST_DIR}/window_test.cpp
   LIBRARIES grading_tool TIMEOUT 120)
 add_dependencies(window_test ggrade_tool floor_solution)

@@ -1,0 +1,17 @@
+#pragma once
+/// \file
+/// What an assignment hands out, made from its solution.
+
+#include "assignment/assignment.hpp"
+
+#include <filesystem>
+
+namespace ggrade::cli {
+
+/// Writes the stub, the handout's texts and, if `pictures`, the picture of every step (in
+/// `into/handout`; the programs are built and run for them) into `into`. Throws UsageError for a
+/// solution with a fault.
+void deriveInto(const Assignment& assignment, const std::filesystem::path& solutions,
+                const std::filesystem::path& into, bool pictures);
+
+} // namespace ggrade::cli

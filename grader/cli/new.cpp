@@ -1,0 +1,90 @@
+#include "authoring/new_assignment.hpp"
+#include "cli/commands.hpp"
+#include "cli/derive.hpp"
+#include "grading/toolchain.hpp"
+#include "grading/workspace.hpp"
+
+#include <fmt/format.h>
+
+namespace ggrade::cli {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kRoot = toolchain::kSourceFolder;
+
+/// One side of the new assignment: made aside, then moved into place.
+class Side {
+public:
+  Side(const std::string& name, const std::string& id, const std::string& title)
+      : aside_(kRoot / name, "Give yourself write permission, or work in a copy of this tree"),
+        made_(aside_.path() / id), place_(kRoot / name / id) {
+    const fs::path templates = kRoot / "grader/authoring/new" / name / "new_assignment";
+    authoring::writeTemplate(templates, id, title, made_);
+  }
+
+  const fs::path& made() const { return made_; }
+  /// Throws where something has come to stand there meanwhile.
+  void publish() const { fs::rename(made_, place_); }
+  void withdraw() const {
+    std::error_code none;
+    fs::rename(place_, made_, none);
+  }
+
+private:
+  grading::TemporaryFolder aside_;
+  fs::path made_, place_;
+};
+
+void make(const std::string& id, const std::string& title) {
+  if (!fs::is_directory(kRoot / "solutions"))
+    throw UsageError(fmt::format("{} has no solutions folder: it is a student's kit. Assignments "
+                                 "are made in the whole tree",
+                                 kRoot.string()));
+  authoring::requireFreeId(id, kRoot, fs::path(toolchain::kBuildFolder) / "build.ninja");
+  authoring::requireTitle(title);
+  const Side solution("solutions", id, title), assignment("assignments", id, title);
+  deriveInto(Assignment::load(assignment.made()), solution.made(), assignment.made(), true);
+  if (grading::interrupted) throw grading::Interrupted{};
+  solution.publish();
+  try {
+    assignment.publish();
+  } catch (...) {
+    solution.withdraw();
+    throw;
+  }
+  fmt::print("solutions/{0}    the reference, its marked blocks, the handout, rubric, scenes, a "
+             "mistake, a right answer\n"
+             "assignments/{0}  what students receive: made from the solution, but for "
+             "assignment.json and scene.json\n\n"
+             "It works as it is. Change it from there; after every change of the solution:\n"
+             "  ./ggrade derive {0}                           the stub and the handout\n"
+             "  ./ggrade grade {0} solutions/{0} --solution   the reference has all points\n"
+             "  ./ggrade calibrate {0} --seeds 2              right and wrong answers separate\n"
+             "CONTRIBUTING.md, \"A new assignment\", says what to change, file by file.\n",
+             id);
+}
+
+} // namespace
+
+void addNew(CLI::App& app) {
+  struct Options {
+    std::string id, title;
+  };
+  auto* command =
+      app.add_subcommand("new", "Makes a new assignment: a small one that works, to be changed");
+  auto options = std::make_shared<Options>();
+  command->add_option("ID", options->id, "Its name: lower case letters, digits and _")->required();
+  command->add_option("--title", options->title, "What people read (default: made from the ID)");
+  command->footer("Writes assignments/ID and solutions/ID, and changes no other file.\n\n"
+                  "Examples:\n"
+                  "  ggrade new soft_light\n"
+                  "  ggrade new soft_light --title \"Light from a window\"");
+  command->callback([options, command] {
+    const bool titled = command->count("--title") > 0;
+    make(options->id, titled ? options->title : authoring::titleOf(options->id));
+  });
+}
+
+} // namespace ggrade::cli
