@@ -94,7 +94,8 @@ TEST_P(Step, CompilesWithoutAWarning) {
 /// What `derive` makes of an assignment's solution is what is handed out.
 void expectInStep(const ggrade::Assignment& assignment) {
   const TemporaryFolder made;
-  const Ended ended = runTool({"derive", assignment.id, "--out", made.path()});
+  // A program is built for every picture.
+  const Ended ended = runTool({"derive", assignment.id, "--out", made.path()}, {}, 400);
   ASSERT_EQ(ended.exitCode, 0) << ended.errors;
   for (const std::string& name : names(made.path()))
     if (name != "handout") {
