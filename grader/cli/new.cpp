@@ -37,6 +37,23 @@ private:
   fs::path made_, place_;
 };
 
+void printWhatIsThere(const std::string& id) {
+  fmt::print("solutions/{0}: the reference, its marked blocks, the handout, rubric, scenes, a "
+             "mistake, a right answer\n"
+             "assignments/{0}: what students receive, made from the solution; but assignment.json "
+             "and scene.json are yours\n\n"
+             "It works as it is. Change it from there; after every change of the solution:\n",
+             id);
+  const std::string grade = fmt::format("grade {0} solutions/{0} --solution", id);
+  const auto step = [&](const std::string& command, const char* does) {
+    fmt::print("  ./ggrade {:<{}}   {}\n", command, grade.size(), does);
+  };
+  step("derive " + id, "makes the stub and the handout");
+  step(grade, "the reference has all points");
+  step("calibrate " + id + " --seeds 2", "right and wrong answers separate");
+  fmt::print("CONTRIBUTING.md, \"A new assignment\", says what to change, file by file.\n");
+}
+
 void make(const std::string& id, const std::string& title) {
   if (!fs::is_directory(kRoot / "solutions"))
     throw UsageError(fmt::format("{} has no solutions folder: it is a student's kit. Assignments "
@@ -54,16 +71,7 @@ void make(const std::string& id, const std::string& title) {
     solution.withdraw();
     throw;
   }
-  fmt::print("solutions/{0}    the reference, its marked blocks, the handout, rubric, scenes, a "
-             "mistake, a right answer\n"
-             "assignments/{0}  what students receive: made from the solution, but for "
-             "assignment.json and scene.json\n\n"
-             "It works as it is. Change it from there; after every change of the solution:\n"
-             "  ./ggrade derive {0}                           the stub and the handout\n"
-             "  ./ggrade grade {0} solutions/{0} --solution   the reference has all points\n"
-             "  ./ggrade calibrate {0} --seeds 2              right and wrong answers separate\n"
-             "CONTRIBUTING.md, \"A new assignment\", says what to change, file by file.\n",
-             id);
+  printWhatIsThere(id);
 }
 
 } // namespace
