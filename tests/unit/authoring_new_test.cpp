@@ -134,9 +134,11 @@ TEST_F(Template, HasWhatEveryTodoAndItemNeeds) {
   EXPECT_THAT(readFile(solution_ / "rubric.cpp"),
               HasSubstr("GGRADE_ITEM(\"" + assignment_.parts.at(0).items.at(0).id + "\""));
   const std::string handout = authoring::expandHandout(
-      readFile(solution_ / "handout.md"), "handout.md", assignment_, [&](const std::string& file) {
+      readFile(solution_ / "handout.md"), "handout.md", assignment_,
+      [&](const std::string& file) {
         return authoring::withFilled(readFile(solution_ / file), file, {});
-      });
+      },
+      [](const std::string&) { return ""; });
   EXPECT_THAT(handout, AllOf(HasSubstr("| 100 | "), HasSubstr("TODO(lamp.1)"),
                              HasSubstr("(handout/lamp-1.png)"), Not(HasSubstr("toLight"))));
 }
