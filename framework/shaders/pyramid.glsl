@@ -12,103 +12,93 @@
 //           3  area-weighted tent
 //
 // The sampler must filter linearly; its wrap mode is the edge rule.
+//
+// Written for software renderers, too, which run both sides of an `if`, and the body of a `for` once
+// more for nothing: how many samples a filter takes is the length of a do-while loop.
 
 // Integral of the tent max(1 - |x|, 0) from minus infinity to x.
-float tentArea(float x) {
+vec4 tentArea(vec4 x) {
   x = clamp(x, -1.0, 1.0);
-  return x < 0.0 ? 0.5 * (1.0 + x) * (1.0 + x) : 1.0 - 0.5 * (1.0 - x) * (1.0 - x);
+  return 0.5 + x - 0.5 * x * abs(x);
 }
+float tentArea(float x) { return tentArea(vec4(x)).x; }
 
 // Bilinear samples along one axis: neighbouring texels share one.
 struct Taps {
-  int count;
-  float at[4];     // texture coordinate, 0 to 1
-  float weight[4]; // they add up to 1
+  int count;   // 1 to 4
+  vec4 at;     // texture coordinates, 0 to 1
+  vec4 weight; // they add up to 1
 };
 
-void addTap(inout Taps taps, float texel, float first, float second, float size) {
-  if (first + second <= 0.0) return;
-  taps.at[taps.count] = (texel + 0.5 + second / (first + second)) / size;
-  taps.weight[taps.count++] = first + second;
-}
-
-// Weight of source texel j for a target pixel whose centre lies at `centre` (texels), at `ratio`
-// texels a pixel.
-float downWeight(float j, float centre, float ratio) {
-  return tentArea((j + 1.0 - centre) / ratio) - tentArea((j - centre) / ratio);
-}
-
-// For target pixel i of `to`, from a level of `from` texels, `from` >= `to`. No taps unless `wanted`.
-Taps downTaps(bool wanted, float i, float from, float to) {
+// For target pixel i of `to`, from a level of `from` texels, `from` >= `to`. Up to three to one.
+Taps downTaps(float i, float from, float to) {
   float ratio = from / to, centre = (i + 0.5) * ratio;
-  float end = wanted ? ceil(centre + ratio) : -1e9;
-  Taps taps;
-  taps.count = 0;
-  for (float j = floor(centre - ratio); j < end; j += 2.0)
-    addTap(taps, j, downWeight(j, centre, ratio), downWeight(j + 1.0, centre, ratio), from);
-  return taps;
+  float start = floor(centre - ratio), end = ceil(centre + ratio);
+  vec4 texel = start + vec4(0, 2, 4, 6); // and the one after it
+  vec4 between = tentArea((texel + 1.0 - centre) / ratio);
+  vec4 first = between - tentArea((texel - centre) / ratio);
+  vec4 second = tentArea((texel + 2.0 - centre) / ratio) - between;
+  vec4 weight = first + second;
+  return Taps(int(ceil(0.5 * (end - start))),
+              (texel + 0.5 + second / max(weight, 1e-9)) / from, weight);
 }
 
 // For target pixel i of `to`, from a level of `from` texels, `from` <= `to`: the transpose.
-Taps upTaps(bool wanted, float i, float from, float to) {
-  float low = i * from / to, high = (i + 1.0) * from / to, scale = to / from;
-  float end = wanted ? ceil(high + 0.5) : -1e9;
-  Taps taps;
-  taps.count = 0;
-  for (float j = floor(low - 0.5); j < end; j += 2.0) {
-    float first = tentArea(high - j - 0.5) - tentArea(low - j - 0.5);
-    float second = tentArea(high - j - 1.5) - tentArea(low - j - 1.5);
-    addTap(taps, j, first * scale, second * scale, from);
-  }
-  return taps;
+Taps upTaps(float i, float from, float to) {
+  float low = i * from / to, high = (i + 1.0) * from / to;
+  float start = floor(low - 0.5), end = ceil(high + 0.5);
+  vec4 texel = start + vec4(0, 1, 2, 3);
+  vec4 single = (tentArea(high - texel - 0.5) - tentArea(low - texel - 0.5)) * (to / from);
+  vec2 weight = single.xz + single.yw;
+  vec2 at = (texel.xz + 0.5 + single.yw / max(weight, 1e-9)) / from;
+  return Taps(int(ceil(0.5 * (end - start))), at.xyxy, vec4(weight, 0, 0));
 }
 
-vec3 gather(sampler2D source, Taps x, Taps y) {
-  vec3 sum = vec3(0);
-  for (int j = 0; j < y.count; ++j)
-    for (int i = 0; i < x.count; ++i)
-      sum += x.weight[i] * y.weight[j] * textureLod(source, vec2(x.at[i], y.at[j]), 0.0).rgb;
-  return sum;
+// A sample of a filter that is a product: texture coordinates and weight.
+vec3 product(Taps x, Taps y, int i, int j) {
+  return vec3(x.at[i], y.at[j], x.weight[i] * y.weight[j]);
 }
 
-// Sample i of a filter of the way down: offset in texels of the source, and weight.
-vec3 downTap(int filterKind, int i) {
+// Sample i of row j of another filter of the way down: offset in texels of the source, and weight.
+vec3 downTap(int filterKind, int i, int j) {
   const float binomial[5] = float[](1.0, 4.0, 6.0, 4.0, 1.0);
-  int x = i % 5, y = i / 5;
-  if (filterKind == 0) return vec3(x - 2, y - 2, binomial[x] * binomial[y] / 256.0);
   vec2 corner = vec2((i & 1) * 2 - 1, (i & 2) - 1); // samples 0 to 3
+  if (filterKind == 0) return vec3(i - 2, j - 2, binomial[i] * binomial[j] / 256.0);
   if (filterKind == 1) return i < 4 ? vec3(corner, 0.125) : vec3(0, 0, 0.5);
-  // Five overlapping 2 x 2 boxes of samples: the middle one weighs 1/2, the others 1/8 each.
-  if (filterKind == 2 && i < 4) return vec3(corner, 0.125);
-  vec2 wide = vec2((i - 4) % 3 - 1, (i - 4) / 3 - 1) * 2.0;
-  float share = (wide.x == 0.0 ? 2.0 : 1.0) * (wide.y == 0.0 ? 2.0 : 1.0) / 32.0;
-  return filterKind == 2 ? vec3(wide, share) : vec3(0.75 * corner, 0.25);
+  // Five overlapping 2 x 2 boxes of samples: the middle one weighs 1/2, the others 1/8 each. Rows of
+  // 3, 2, 3, 2, 3.
+  vec2 offset = vec2(2 * i - 2 + (j & 1), j - 2);
+  float share = (i == 1 ? 2.0 : 1.0) * (j == 2 ? 2.0 : 1.0) / 32.0;
+  return vec3(offset, (j & 1) == 1 ? 0.125 : share);
 }
 
-// Sample i of a filter of the way up.
-vec3 upTap(int filterKind, int i) {
+// The same of the way up.
+vec3 upTap(int filterKind, int i, int j) {
   vec2 corner = vec2((i & 1) * 2 - 1, (i & 2) - 1);
   vec2 axis = vec2(i == 4 ? 1 : i == 5 ? -1 : 0, i == 6 ? 1 : i == 7 ? -1 : 0);
+  if (filterKind == 0) return vec3(0, 0, 1);
   if (filterKind == 1) return i < 4 ? vec3(0.5 * corner, 2.0 / 12.0) : vec3(axis, 1.0 / 12.0);
-  vec2 near = vec2(i % 3 - 1, i / 3 - 1);
-  float share = (near.x == 0.0 ? 2.0 : 1.0) * (near.y == 0.0 ? 2.0 : 1.0) / 16.0;
-  return filterKind == 2 ? vec3(near, share) : vec3(0, 0, 1);
+  return vec3(i - 1, j - 1, (i == 1 ? 2.0 : 1.0) * (j == 1 ? 2.0 : 1.0) / 16.0);
 }
-
-// How many samples a filter takes is a loop's length: a software renderer runs both sides of an if.
 
 // This pixel of a level of `size` pixels, from the next larger level.
 vec3 downsample(sampler2D source, vec2 size, int filterKind) {
   vec2 from = vec2(textureSize(source, 0));
   vec2 pixel = floor(gl_FragCoord.xy), at = gl_FragCoord.xy / size;
-  bool odd = filterKind == 3 && from != 2.0 * size; // else its weights are four samples
-  int count = filterKind == 0 ? 25 : filterKind == 1 ? 5 : filterKind == 2 ? 13 : odd ? 0 : 4;
-  vec3 sum = gather(source, downTaps(odd, pixel.x, from.x, size.x),
-                    downTaps(odd, pixel.y, from.y, size.y));
-  for (int i = 0; i < count; ++i) {
-    vec3 tap = downTap(filterKind, i);
-    sum += tap.z * textureLod(source, at + tap.xy / from, 0.0).rgb;
-  }
+  Taps x = downTaps(pixel.x, from.x, size.x), y = downTaps(pixel.y, from.y, size.y);
+  int rows = filterKind == 3 ? y.count : filterKind == 1 ? 1 : 5;
+  vec3 sum = vec3(0);
+  int j = 0;
+  do {
+    int count = filterKind == 3 ? x.count : filterKind == 2 ? 3 - (j & 1) : 5;
+    int i = 0;
+    do {
+      vec3 tap = downTap(filterKind, i, j);
+      tap.xy = at + tap.xy / from;
+      if (filterKind == 3) tap = product(x, y, i, j);
+      sum += tap.z * textureLod(source, tap.xy, 0.0).rgb;
+    } while (++i < count);
+  } while (++j < rows);
   return sum;
 }
 
@@ -116,14 +106,20 @@ vec3 downsample(sampler2D source, vec2 size, int filterKind) {
 vec3 upsample(sampler2D source, vec2 size, int filterKind) {
   vec2 from = vec2(textureSize(source, 0));
   vec2 pixel = floor(gl_FragCoord.xy), at = gl_FragCoord.xy / size;
-  bool odd = filterKind == 3 && 2.0 * from != size; // else its weights are one sample
-  int count = filterKind == 1 ? 8 : filterKind == 2 ? 9 : odd ? 0 : 1;
-  vec3 sum =
-      gather(source, upTaps(odd, pixel.x, from.x, size.x), upTaps(odd, pixel.y, from.y, size.y));
-  for (int i = 0; i < count; ++i) {
-    vec3 tap = upTap(filterKind, i);
-    sum += tap.z * textureLod(source, at + tap.xy / from, 0.0).rgb;
-  }
+  Taps x = upTaps(pixel.x, from.x, size.x), y = upTaps(pixel.y, from.y, size.y);
+  int rows = filterKind == 3 ? y.count : filterKind == 2 ? 3 : 1;
+  int count = filterKind == 3 ? x.count : filterKind == 2 ? 3 : filterKind == 1 ? 8 : 1;
+  vec3 sum = vec3(0);
+  int j = 0;
+  do {
+    int i = 0;
+    do {
+      vec3 tap = upTap(filterKind, i, j);
+      tap.xy = at + tap.xy / from;
+      if (filterKind == 3) tap = product(x, y, i, j);
+      sum += tap.z * textureLod(source, tap.xy, 0.0).rgb;
+    } while (++i < count);
+  } while (++j < rows);
   return sum;
 }
 
@@ -135,22 +131,34 @@ vec3 finite(vec3 color) {
               color.b > 0.0 ? min(color.b, 65504.0) : 0.0);
 }
 
+// Texel `at` of `size`, or the one that is mirrored there beyond the edges.
+int mirrored(int at, int size) {
+  at = max(at, -1 - at);
+  return clamp(min(at, 2 * size - 1 - at), 0, size - 1);
+}
+
 // As downsample() with the area filter, but each texel is made finite before it is weighed, which a
 // bilinear sample can't do. Edges are mirrored.
 vec3 downsampleFinite(sampler2D source, vec2 size) {
   ivec2 from = textureSize(source, 0);
   vec2 ratio = vec2(from) / size, centre = gl_FragCoord.xy * ratio;
-  vec2 end = ceil(centre + ratio), start = floor(centre - ratio);
+  vec2 at = floor(centre - ratio), end = ceil(centre + ratio);
+  float start = at.x, below = 0.0;
   vec3 sum = vec3(0);
-  for (float y = start.y; y < end.y; ++y) {
-    float weightY = downWeight(y, centre.y, ratio.y);
-    for (float x = start.x; x < end.x; ++x) {
-      ivec2 at = ivec2(x, y);
-      at = max(at, -1 - at);               // mirrored at the left and bottom edge
-      at = min(at, 2 * from - 1 - at);     // and at the right and top one
-      at = clamp(at, ivec2(0), from - 1);
-      sum += downWeight(x, centre.x, ratio.x) * weightY * finite(texelFetch(source, at, 0).rgb);
-    }
-  }
+  do {
+    int y = mirrored(int(at.y), from.y);
+    vec3 row = vec3(0);
+    float left = 0.0;
+    at.x = start;
+    do {
+      vec3 color = finite(texelFetch(source, ivec2(mirrored(int(at.x), from.x), y), 0).rgb);
+      float right = tentArea((++at.x - centre.x) / ratio.x);
+      row += (right - left) * color;
+      left = right;
+    } while (at.x < end.x);
+    float above = tentArea((++at.y - centre.y) / ratio.y);
+    sum += (above - below) * row;
+    below = above;
+  } while (at.y < end.y);
   return sum;
 }
