@@ -314,6 +314,10 @@ Rendering renderProgram(const std::vector<std::string>& arguments, const std::ve
   return runCaptured(command, Isolation::none, channel, times.size());
 }
 
+const std::vector<std::pair<std::string, std::string>>& rendererPins() {
+  return kPins;
+}
+
 std::string pins() {
   std::string text = toolchain::kCompileFlags;
   for (const auto& [name, value] : kPins) text += ' ' + name + '=' + value;

@@ -68,6 +68,9 @@ Rendering renderProgram(const std::vector<std::string>& arguments, const std::ve
                         std::uint32_t width, std::uint32_t height,
                         const trace::Request& trace = {});
 
+/// Settings of the renderer that pixels depend on, the same for every run: names and values.
+const std::vector<std::pair<std::string, std::string>>& rendererPins();
+
 /// Compiler flags and settings of the renderer, the same for every build and run.
 std::string pins();
 
