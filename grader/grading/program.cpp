@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 extern char** environ;
@@ -123,6 +124,18 @@ std::vector<channel::PlannedFrame> plan(const std::vector<double>& times, std::u
   for (double time : times) frames.push_back({time, width, height});
   return frames;
 }
+
+#ifdef __SANITIZE_ADDRESS__
+/// A sanitized build renders nothing but its own references, as sanitized as itself: they need the
+/// settings that it has, terabytes of addresses for what is known of each byte, and time.
+void admitSanitizers(sandbox::Command& command) {
+  for (const char* name : {"ASAN_OPTIONS", "LSAN_OPTIONS", "UBSAN_OPTIONS"})
+    if (const char* value = std::getenv(name)) command.environment.emplace_back(name, value);
+  command.limits.addressSpaceBytes = std::numeric_limits<std::uint64_t>::max();
+  command.limits.cpuSeconds *= 4;
+  command.limits.wallSeconds *= 4;
+}
+#endif
 
 /// Runs the command and reads what it handed over.
 Rendering runCaptured(const sandbox::Command& command, Isolation isolation,
@@ -279,6 +292,9 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   command.inheritedDescriptor = channel.descriptor();
   command.limits.cpuSeconds = kRunSeconds;
   command.limits.wallSeconds = kWallFactor * kRunSeconds;
+#ifdef __SANITIZE_ADDRESS__
+  admitSanitizers(command);
+#endif
 
   if (shaders.keep.empty()) return runCaptured(command, isolation, channel, times.size());
 

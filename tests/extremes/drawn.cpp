@@ -40,6 +40,27 @@ void expectFinite(const Image& image, const std::string& what) {
     ADD_FAILURE() << what << ": " << found->text(image.channels());
 }
 
+constexpr std::uint32_t kDepthComponent24 = 0x81A6; // GL_DEPTH_COMPONENT24
+
+/// Was everything that a pass wrote copied? The window's bytes and renderbuffers of whole numbers,
+/// which can hold neither NaN nor infinity, need not be.
+void expectAllCopied(const trace::Trace& trace) {
+  EXPECT_EQ(trace.passesLost, 0u);
+  EXPECT_EQ(trace.copiesLost, 0u);
+  for (const trace::PassRecord& pass : trace.passes)
+    for (std::uint32_t attachment = 0; attachment < trace::kAttachments; ++attachment) {
+      const trace::ImageRef& image = pass.images[attachment];
+      const auto kind = trace::ImageKind(image.kind);
+      if ((pass.written >> attachment & 1) == 0 || kind == trace::ImageKind::none ||
+          kind == trace::ImageKind::window)
+        continue;
+      if (kind == trace::ImageKind::renderbuffer && image.format == kDepthComponent24) continue;
+      EXPECT_NE(trace.copyOf(trace.indexOf(pass), attachment), nullptr)
+          << "pass " << trace.indexOf(pass) << ", " << trace::attachmentName(attachment)
+          << " was not looked at";
+    }
+}
+
 } // namespace
 
 json sceneOf(const std::string& assignment, std::vector<std::string> parts, const json& patch) {
@@ -89,7 +110,8 @@ Drawn draw(const std::string& assignment, const json& scene, const std::vector<d
   EXPECT_EQ(rendering.happened.outcome, report::Outcome::graded) << rendering.happened.detail;
   for (const channel::CapturedMessage& message : capture.messages)
     if (message.kind != channel::MessageKind::capture) ADD_FAILURE() << message.text;
-  EXPECT_EQ(capture.trace.copiesLost, 0u);
+  EXPECT_EQ(rendering.happened.output, "");
+  expectAllCopied(capture.trace);
 
   Drawn drawn;
   for (const channel::CapturedFrame& frame : capture.frames) {

@@ -38,8 +38,9 @@ struct Drawn {
 
 /// Draws the assignment's solution, as it was built with the tests and trusted (not in the
 /// sandbox), one frame a time. Whatever the scene, it is a failure of the test unless every frame
-/// comes, GL has nothing to say, and every texture that a pass drew into and every frame holds
-/// finite values only. What `replacements` put in place may be anything.
+/// comes, GL and the program have nothing to say, and every texture that any pass of any frame
+/// wrote holds finite values only (the window and the other renderbuffers can hold no others). What
+/// `replacements` put in place may be anything.
 Drawn draw(const std::string& assignment, const json& scene,
            const std::vector<double>& times = {0.21},
            const std::vector<ggrade::channel::PassPixels>& replacements = {});
