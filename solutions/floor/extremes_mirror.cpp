@@ -144,6 +144,28 @@ TEST(Mirror, WhatLiesBelowTheFloorIsNotReflected) {
   EXPECT_GT(differing(first(open), image), 0.02);
 }
 
+TEST(Mirror, OfAnObjectHalfSunkNothingRisesAboveTheFloor) {
+  // Looking straight ahead at a height of 1: floor at distance d lies 1 / d below the middle.
+  json scene = mirrorScene(
+      {{"camera", {{"position", {0, 1, 7}}, {"target", {0, 1, 0}}}},
+       {"ring", {{"count", 1}, {"radius", 0}, {"base", -0.45}, {"hop", 0}, {"scale", 0.9}}}});
+  const double fov = scene["camera"]["fov"];
+  const auto highest = [&](const json& of) { // row of the mirrored box's uppermost pixel, 0 to 1
+    const Drawn drawn = draw("floor", of, {0});
+    const Image image = drawn.leftBy(drawn.writerOf("uReflection"));
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        if (distance(image.pixel(x, y), kBackground) > 3.0f / 255)
+          return double(y) / image.height();
+    return 1.0;
+  };
+  // The front edge at the floor is the highest that is left: the cut behind it is open.
+  const double floorLine = 0.5 + 0.5 / (6.55 * std::tan(fov / 2));
+  EXPECT_NEAR(highest(scene), floorLine, 0.004);
+  scene["quality"]["mirror_clip"] = 0;
+  EXPECT_LT(highest(scene), floorLine - 0.1);
+}
+
 TEST(Mirror, GlowThatNoByteHoldsIsReflectedInFull) {
   const json scene =
       mirrorScene({{"ring", {{"glow", 1e30}, {"count", 1}, {"radius", 0}, {"hop", 0}}},

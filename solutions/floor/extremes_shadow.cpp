@@ -104,6 +104,25 @@ TEST_P(Depth, ALightBehindTheEye) {
   EXPECT_FALSE(dark(image, 0, 0.6));
 }
 
+TEST_P(Depth, LightThatGrazesASurfaceLightsIt) {
+  // A fiftieth above the plane of the box's top and 3 beside it, bright enough to show there.
+  const json scene = fromAbove({{"light", {{"position", {3, 1.92, 0}}, {"diffuse", {60, 60, 60}}}},
+                                {"quality", {{"shadow_bits", GetParam()}}}});
+  for (int bias : {2, 3}) {
+    json with = scene;
+    with["quality"]["shadow_bias"] = bias;
+    const Image image = first(with), lit = first(unshadowed(with));
+    int shaded = 0, shown = 0;
+    for (int y = kSide / 2 - 25; y <= kSide / 2 + 25; ++y)
+      for (int x = kSide / 2 - 25; x <= kSide / 2 + 25; ++x) {
+        shown += lit.at(x, y, 0) > 0.25;
+        shaded += distance(image.pixel(x, y), lit.pixel(x, y)) > 5.0f / 255;
+      }
+    EXPECT_EQ(shown, 51 * 51) << bias;
+    EXPECT_LE(shaded, 51) << bias << ": one row, at the edge";
+  }
+}
+
 class Sun : public testing::TestWithParam<std::tuple<int, double>> {};
 
 INSTANTIATE_TEST_SUITE_P(Shadow, Sun,
