@@ -431,6 +431,7 @@ int main(int count, char** arguments) {
   for (const auto& [name, value] : ggrade::grading::rendererPins())
     setenv(name.c_str(), value.c_str(), 0);
   const int repetitions = count > 1 ? std::max(std::atoi(arguments[1]), 1) : 15;
+  std::setvbuf(stdout, nullptr, _IOLBF, 0); // it takes minutes: show every row
   const gg::Window window("bloom", {8, 8});
   const std::vector<glm::vec3> scene = lamps();
   fmt::print("# The bloom at {} x {}: {} levels, filter {}, RGBA16F, threshold {}\n\n"
