@@ -290,8 +290,9 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   }
   command.workingDirectory = isolation == Isolation::bwrap ? fs::path("/scratch") : sceneFolder;
   command.inheritedDescriptor = channel.descriptor();
-  command.limits.cpuSeconds = kRunSeconds;
-  command.limits.wallSeconds = kWallFactor * kRunSeconds;
+  const double further = times.size() > kFewFrames ? double(times.size() - kFewFrames) : 0;
+  command.limits.cpuSeconds = kRunSeconds + further * kFrameSeconds;
+  command.limits.wallSeconds = kWallFactor * command.limits.cpuSeconds;
 #ifdef __SANITIZE_ADDRESS__
   admitSanitizers(command);
 #endif

@@ -11,6 +11,10 @@ namespace ggrade::grading {
 
 /// A run may take so much processor time: a busy machine must not cost a student points.
 inline constexpr double kRunSeconds = 10;
+/// And so much more for each frame beyond the first few. Graded scenes have no more than those; who
+/// times a program in many frames waits for them.
+inline constexpr double kFrameSeconds = 2;
+inline constexpr std::size_t kFewFrames = 4;
 /// And so many times that by the clock, for a program that waits forever.
 inline constexpr double kWallFactor = 3;
 
