@@ -22,7 +22,7 @@ double upperBound(std::size_t found, std::size_t count) {
   return std::min(1.0, (middle + reach) / (1 + z * z / n));
 }
 
-double areaUnderRoc(const std::vector<Rated>& all) {
+std::optional<double> areaUnderRoc(const std::vector<Rated>& all) {
   double above = 0, pairs = 0;
   for (const Rated& right : all) {
     if (!right.right) continue;
@@ -32,7 +32,8 @@ double areaUnderRoc(const std::vector<Rated>& all) {
       above += wrong.value > right.value ? 1 : wrong.value == right.value ? 0.5 : 0;
     }
   }
-  return pairs > 0 ? above / pairs : 0.5;
+  if (pairs == 0) return std::nullopt;
+  return above / pairs;
 }
 
 Errors errorsOf(const std::vector<Rated>& all, int half, double threshold) {

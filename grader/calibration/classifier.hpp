@@ -3,6 +3,7 @@
 /// How well one number tells right answers from wrong ones.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace ggrade::calibration {
@@ -30,8 +31,8 @@ struct Rated {
 
 /// Area under the ROC curve: how often a wrong answer has the greater value of the two, if a right
 /// one and a wrong one are drawn; equal values count half. 1 tells all of them apart, 0.5 is
-/// guessing. 0.5 if there are no pairs.
-double areaUnderRoc(const std::vector<Rated>& all);
+/// guessing. None without answers of both kinds.
+std::optional<double> areaUnderRoc(const std::vector<Rated>& all);
 
 /// The largest value that counts as right, chosen on one half: where the shares of right answers
 /// that are rejected and of wrong ones that are accepted have the least sum (Youden 1950), in the

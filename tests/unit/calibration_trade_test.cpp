@@ -40,7 +40,7 @@ TEST(Classifier, TheAreaUnderTheRocCurveCountsPairsInOrder) {
   EXPECT_EQ(area({1, 2}, {2, 3}), 0.875); // the equal pair counts half
   EXPECT_EQ(area({0, 0, 0}, {0}), 0.5);
   EXPECT_EQ(area({0, kInfinity}, {kInfinity}), 0.75);
-  EXPECT_EQ(area({1}, {}), 0.5);
+  EXPECT_EQ(area({1}, {}), std::nullopt);
 }
 
 TEST(Classifier, AThresholdIsChosenOnOneHalfAndJudgedOnTheOther) {
