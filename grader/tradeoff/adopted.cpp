@@ -8,6 +8,11 @@ namespace ggrade::tradeoff {
 
 namespace {
 
+/// Stands for a cost that the noise of the frame's time hides, and for a power without one or whose
+/// line fits worse than this.
+const std::string kHidden = "–";
+constexpr double kWorstFit = 0.4;
+
 constexpr const char* kPresets[] = {"fast", "balanced", "accurate", "reference"};
 
 /// The page's colours on white: no page stands around the chart.
@@ -43,7 +48,7 @@ std::string sweepText(const json& sweep) {
                       sweep.at("settings").dump(), chartFile(part, name));
   for (const auto& [number, found] : sweep.at("numbers").items()) {
     text += "- " + found.at("error_falls").get<std::string>();
-    if (found.contains("cost_exponent"))
+    if (found.value("cost_exponent", 0.0) > 0 && found.at("cost_deviation") <= kWorstFit)
       text += fmt::format(" Its cost grows with the power {:.2f} of it.",
                           found.at("cost_exponent").get<double>());
     text += '\n';
@@ -56,13 +61,18 @@ std::string growthTable(const json& growth) {
       "| part | against | its cost in a frame | power |\n| --- | --- | --- | ---: |\n";
   for (const json& row : growth) {
     std::string costs;
-    for (std::size_t i = 0; i < row.at("values").size(); ++i)
+    bool hidden = row.value("deviation", 0.0) > kWorstFit;
+    for (std::size_t i = 0; i < row.at("values").size(); ++i) {
+      const double ms = row.at("ms")[i];
       costs += fmt::format("{}{:.0f}: {}", i == 0 ? "" : ", ", row.at("values")[i].get<double>(),
-                           msText(row.at("ms")[i]));
-    text += fmt::format(
-        "| {} | {} | {} | {} |\n", row.at("part").get<std::string>(),
-        row.at("series").get<std::string>(), costs,
-        row.contains("exponent") ? fmt::format("{:.2f}", row.at("exponent").get<double>()) : "–");
+                           ms > 0 ? msText(ms) : kHidden);
+      hidden = hidden || ms <= 0;
+    }
+    text += fmt::format("| {} | {} | {} | {} |\n", row.at("part").get<std::string>(),
+                        row.at("series").get<std::string>(), costs,
+                        row.contains("exponent") && !hidden
+                            ? fmt::format("{:.2f}", row.at("exponent").get<double>())
+                            : kHidden);
   }
   return text;
 }

@@ -177,6 +177,12 @@ TEST(TradeoffAdopted, IsATableInTheHandout) {
   EXPECT_THAT(text, HasSubstr("(handout/tradeoff-mirror-blurred.svg)\n"));
   EXPECT_THAT(text, HasSubstr("- The error falls with size: from 1.6% at 64 to 0.39% at 256. Its "
                               "cost grows with the power 1.94 of it.\n"));
+  json noisy = adoptedSample();
+  noisy["growth"][0]["ms"][0] = -1;
+  EXPECT_THAT(handoutText(noisy, ""), HasSubstr("| mirror | pixels | 1: –, 2: 2.50 ms | – |\n"));
+  noisy = adoptedSample();
+  noisy["growth"][0]["deviation"] = 0.5;
+  EXPECT_THAT(handoutText(noisy, ""), HasSubstr("| 1: 1.00 ms, 2: 2.50 ms | – |\n"));
   EXPECT_EQ(handoutText(adoptedSample(), "shadow"), "");
   EXPECT_EQ(handoutText(adoptedSample(), ""),
             "| part | against | its cost in a frame | power |\n| --- | --- | --- | ---: |\n"
