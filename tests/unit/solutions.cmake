@@ -1,0 +1,13 @@
+# Parts of the solutions that need no OpenGL: solutions/<id>/*_test.cpp, found by folder, a program an assignment.
+file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/solutions/*/*_test.cpp)
+set(ids "")
+foreach(source ${sources})
+  get_filename_component(folder ${source} DIRECTORY)
+  get_filename_component(id ${folder} NAME)
+  list(APPEND ids ${id})
+  list(APPEND ${id}_sources ${source})
+endforeach()
+list(REMOVE_DUPLICATES ids)
+foreach(id ${ids})
+  ggrade_test(${id}_unit_test unit SOURCES ${${id}_sources} LIBRARIES gg_scene)
+endforeach()
