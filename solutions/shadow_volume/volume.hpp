@@ -63,7 +63,7 @@ inline VolumeMesh silhouetteVolume(const ClosedMesh& mesh, const glm::vec3& ligh
   }
   for (const Face& face : mesh.faces) {
     const glm::vec3 a = mesh.points[face[0]], b = mesh.points[face[1]], c = mesh.points[face[2]];
-    const bool lit = glm::dot(glm::cross(b - a, c - a), light - a) > 0;
+    const bool lit = glm::dot(glm::cross(b - a, c - a), light - a) >= 0;
     for (const std::uint32_t point : face) volume.indices.push_back(2 * point + (lit ? 0 : 1));
   }
   for (const Edge& edge : mesh.edges) {

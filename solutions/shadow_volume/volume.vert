@@ -13,13 +13,13 @@ invariant gl_Position; // as in object.vert
 
 void main() {
   vec4 position = aPosition;
-  // TODO(shadow_volume.2): if the vertex's face doesn't face the light, move the vertex to infinity,
+  // TODO(shadow_volume.2): if the vertex's face has the light behind it, move the vertex to infinity,
   //   straight away from the light.
   //   Given:  aPosition, aPlane and uLight, all in model space.
   //   Do:     a point at infinity is a direction with w = 0.
   //   Expect: with V held down white walls behind the blocks.    (README.md, step 2)
   // BEGIN SOLUTION(shadow_volume.2)
-  if (dot(aPlane, vec4(uLight, 1)) <= 0.0) {
+  if (dot(aPlane, vec4(uLight, 1)) < 0.0) {
     vec3 away = aPosition.xyz - uLight;
     // A light in the very vertex: any direction will do, but 0 is none.
     position = vec4(away == vec3(0) ? vec3(0, -1, 0) : away, 0);

@@ -114,7 +114,7 @@ std::vector<std::string> warnings(gg::MeshData mesh) {
 
 /// As volume.vert has it: does the vertex stay in place?
 bool stays(const VolumeVertex& vertex, const glm::vec3& light) {
-  return glm::dot(vertex.plane, glm::vec4(light, 1)) > 0;
+  return glm::dot(vertex.plane, glm::vec4(light, 1)) >= 0;
 }
 
 /// How often more the volume's triangles run along some directed edge than against it, at most; 0:
