@@ -202,3 +202,50 @@ inline ClosedMesh closedMesh(gg::MeshData& mesh, std::vector<std::string>& warni
                       });
   return closed;
 }
+
+// Splits a mesh into parts of which no pixel can be in more volumes than its stencil can count: one
+// in 256 volumes would read 0, as one in none does. A ray leaves a closed shell as often as it
+// enters it, each time through another face, so it can't be in more volumes than half of the faces.
+// One part may use the stencil's eight bits; several, seven, because the eighth remembers the parts
+// before. A shell stays whole: if it is so folded that more of its own layers lie over a pixel,
+// they count modulo 256.
+inline std::vector<ClosedMesh> countableParts(const ClosedMesh& mesh) {
+  if (mesh.faces.size() / 2 <= 255) return {mesh};
+  const std::vector<std::uint32_t> shell = detail::shells(mesh.faces);
+  std::vector<std::size_t> facesOf(mesh.faces.size()); // of the shell of this number
+  for (const std::uint32_t one : shell) ++facesOf[one];
+
+  std::vector<ClosedMesh> parts(1);
+  std::vector<std::size_t> partOf(mesh.faces.size()); // of the shell of this number
+  std::vector<std::uint32_t> faceThere(mesh.faces.size());
+  std::size_t volumes = 0; // of the last part, that a pixel can be in
+  for (std::uint32_t face = 0; face < mesh.faces.size(); ++face) {
+    if (shell[face] == face) { // its shell's first
+      volumes += facesOf[face] / 2;
+      if (volumes > 127 && !parts.back().faces.empty()) {
+        parts.emplace_back();
+        volumes = facesOf[face] / 2;
+      }
+      partOf[face] = parts.size() - 1;
+    }
+    std::vector<Face>& faces = parts[partOf[shell[face]]].faces;
+    faceThere[face] = static_cast<std::uint32_t>(faces.size());
+    faces.push_back(mesh.faces[face]);
+  }
+  const auto there = [&](std::uint32_t half) { return 3 * faceThere[half / 3] + half % 3; };
+  for (const Edge& edge : mesh.edges)
+    parts[partOf[shell[edge.one / 3]]].edges.push_back({there(edge.one), there(edge.other)});
+
+  for (ClosedMesh& part : parts) { // each keeps the points that it uses
+    std::vector<std::uint32_t> used;
+    for (const Face& face : part.faces) used.insert(used.end(), face.begin(), face.end());
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    for (const std::uint32_t point : used) part.points.push_back(mesh.points[point]);
+    for (Face& face : part.faces)
+      for (std::uint32_t& point : face)
+        point = static_cast<std::uint32_t>(std::lower_bound(used.begin(), used.end(), point) -
+                                           used.begin());
+  }
+  return parts;
+}

@@ -101,10 +101,14 @@ void app(const gg::Scene& scene) {
 
   // What a scene can't show isn't made.
   const bool silhouettes = scene.integer("quality.edges") == 1;
-  std::optional<VolumeBuffer> volume;
-  if (showsShadow(scene, caster)) volume.emplace();
-  if (volume && !silhouettes) volume->load(shadowVolume(caster));
-  std::optional<glm::vec3> loadedFor; // the light that the silhouette in `volume` belongs to
+  std::vector<ClosedMesh> parts; // one, but for hundreds of things over each other
+  if (showsShadow(scene, caster)) parts = countableParts(caster);
+  std::vector<VolumeBuffer> volumes(parts.size());
+  std::optional<CountMemory> memory;
+  if (parts.size() > 1) memory.emplace();
+  if (!silhouettes)
+    for (std::size_t i = 0; i < parts.size(); ++i) volumes[i].load(shadowVolume(parts[i]));
+  std::optional<glm::vec3> loadedFor; // the light that the silhouettes in `volumes` belong to
 
   glEnable(GL_DEPTH_TEST);
   glEnable(GL_CULL_FACE);
@@ -120,8 +124,9 @@ void app(const gg::Scene& scene) {
     // The volume is worked out in the caster's own space, so the light has to come there.
     const glm::vec3 lampModel = glm::vec3(glm::inverse(world.placed) * glm::vec4(lamp, 1));
 
-    if (volume && silhouettes && loadedFor != lampModel) {
-      volume->load(silhouetteVolume(caster, lampModel));
+    if (silhouettes && loadedFor != lampModel) {
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        volumes[i].load(silhouetteVolume(parts[i], lampModel));
       loadedFor = lampModel;
     }
     volumeProgram.set("uProjection", projection);
@@ -136,19 +141,23 @@ void app(const gg::Scene& scene) {
     drawWorld(objectProgram, projection, view, world, material, scene);
 
     // Pass "volume": counts, in the stencil buffer, how many volumes each pixel's surface lies in.
-    if (volume) {
-      const bool zFail = scene.integer("quality.method") == 1;
+    const bool zFail = scene.integer("quality.method") == 1;
+    // TODO(shadow_volume.3): count: a face of the volume that is seen from the front is a way in,
+    // one
+    //   that is seen from the back a way out.
+    //   Do:     clear the stencil buffer, once. Below, for every volume: enable the stencil test,
+    //           which always passes. Where the depth test passes, too, front faces increment and
+    //           back faces decrement, with wrap. Nothing may be written to colours and depths, no
+    //           face culled. Draw; put back what you changed.
+    //   Expect: the picture doesn't change; ./ggrade inspect shows the stencil. (README.md, step 3)
+    // BEGIN SOLUTION(shadow_volume.3)
+    if (!volumes.empty()) glClear(GL_STENCIL_BUFFER_BIT);
+    // END SOLUTION(shadow_volume.3)
+    if (memory) glStencilMask(0x7f);
+    for (const VolumeBuffer& volume : volumes) {
+      if (&volume != &volumes.front()) memory->remember();
       volumeProgram.use();
-      // TODO(shadow_volume.3): count: a face of the volume that is seen from the front is a way in,
-      //   one that is seen from the back a way out.
-      //   Do:     clear the stencil buffer. Enable the stencil test; it always passes. Where the
-      //           depth test passes too, front faces increment and back faces decrement, with wrap.
-      //           Nothing may be written to colours and depths, no face culled. Draw the volume;
-      //           put back what you changed.
-      //   Expect: the picture doesn't change; ./ggrade inspect shows the stencil. (README.md, step
-      //   3)
       // BEGIN SOLUTION(shadow_volume.3)
-      glClear(GL_STENCIL_BUFFER_BIT);
       glEnable(GL_STENCIL_TEST);
       glStencilFunc(GL_ALWAYS, 0, 0xff);
       glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_INCR_WRAP);
@@ -159,7 +168,7 @@ void app(const gg::Scene& scene) {
       // END SOLUTION(shadow_volume.3)
       // TODO(shadow_volume.5): if `zFail`, count what is hidden instead, so that it doesn't matter
       //   where the eye is: where the depth test fails, back faces increment and front faces
-      //   decrement. Nothing of the volume may be cut off: GL_DEPTH_CLAMP.
+      //   decrement. Nothing of the volume may be cut off: GL_DEPTH_CLAMP, until it is drawn.
       //   Expect: right also with the eye in a shadow.           (README.md, step 5)
       // BEGIN SOLUTION(shadow_volume.5)
       if (zFail) {
@@ -170,12 +179,12 @@ void app(const gg::Scene& scene) {
       // END SOLUTION(shadow_volume.5)
       // BEGIN SOLUTION(shadow_volume.3)
       if (scene.integer("quality.passes") == 1) {
-        volume->draw();
-      } else { // as before two-sided stencils: front faces first, then back faces
+        volume.draw();
+      } else { // as before there was a two-sided stencil: front faces, then back faces
         glEnable(GL_CULL_FACE);
-        volume->draw();
+        volume.draw();
         glCullFace(GL_FRONT);
-        volume->draw();
+        volume.draw();
         glCullFace(GL_BACK);
       }
       // END SOLUTION(shadow_volume.3)
@@ -189,6 +198,7 @@ void app(const gg::Scene& scene) {
       glDisable(GL_STENCIL_TEST);
       // END SOLUTION(shadow_volume.3)
     }
+    glStencilMask(0xff);
 
     // Pass "light": the same surfaces again, so the same depths; what they reflect is added.
     glDepthFunc(GL_EQUAL);
@@ -198,7 +208,7 @@ void app(const gg::Scene& scene) {
     // TODO(shadow_volume.4): add light only where the stencil is 0. Afterwards, no stencil test.
     //   Expect: shadows.                                         (README.md, step 4)
     // BEGIN SOLUTION(shadow_volume.4)
-    if (volume) {
+    if (!volumes.empty()) {
       glEnable(GL_STENCIL_TEST);
       glStencilFunc(GL_EQUAL, 0, 0xff);
       glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
@@ -214,13 +224,12 @@ void app(const gg::Scene& scene) {
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
 
-    // To look at: the volume in white, as long as V is held down.
-    if (volume &&
-        (scene.flag("debug.volume") || glfwGetKey(window.handle(), GLFW_KEY_V) == GLFW_PRESS)) {
+    // To look at: the volumes in white, as long as V is held down.
+    if (scene.flag("debug.volume") || glfwGetKey(window.handle(), GLFW_KEY_V) == GLFW_PRESS) {
       glDepthFunc(GL_LEQUAL);
       glDisable(GL_CULL_FACE);
       volumeProgram.use();
-      volume->draw();
+      for (const VolumeBuffer& volume : volumes) volume.draw();
       glEnable(GL_CULL_FACE);
       glDepthFunc(GL_LESS);
     }

@@ -46,6 +46,30 @@ private:
   GLsizei count_ = 0;
 };
 
+// Remembers, between the parts of a mesh that has several (countableParts()), which pixels lie in a
+// volume: the stencil's uppermost bit.
+struct CountMemory {
+  gg::Program program{{"screen.vert", "volume.frag"}};
+  gg::VertexArray noVertices; // screen.vert makes its own corners
+
+  // Where the count isn't 0, sets the bit and the count to 0.
+  void remember() const {
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_NOTEQUAL, 0x80, 0x7f); // compares the lower seven bits, writes 0x80
+    glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+    glStencilMask(0xff);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDisable(GL_DEPTH_TEST);
+    program.use();
+    glBindVertexArray(noVertices);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glEnable(GL_DEPTH_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glStencilMask(0x7f);
+    glDisable(GL_STENCIL_TEST);
+  }
+};
+
 // Throws gg::WindowError unless the window's stencil buffer has 8 bits.
 inline void requireStencil() {
   GLint type = GL_NONE, bits = 0;

@@ -342,6 +342,46 @@ TEST(ClosedMesh, OfNothingIsNothing) {
   EXPECT_THAT(shadowVolume(closed({})).indices, IsEmpty());
 }
 
+TEST(CountableParts, AreOneForUpTo255Volumes) {
+  gg::MeshData mesh;
+  for (int i = 0; i < 42; ++i) add(mesh, gg::box(), {2 * i, 0, 0}); // 252
+  EXPECT_THAT(countableParts(closed(mesh)), SizeIs(1));
+  EXPECT_THAT(countableParts(closed(gg::torusKnot())), SizeIs(1)); // one shell
+}
+
+TEST(CountableParts, HaveUpTo127VolumesAndEveryFaceOnce) {
+  gg::MeshData mesh;
+  for (int i = 0; i < 43; ++i) add(mesh, gg::box(), {2 * i, 0, 0}); // 258
+  const ClosedMesh whole = closed(mesh);
+  const std::vector<ClosedMesh> parts = countableParts(whole);
+  ASSERT_THAT(parts, SizeIs(3)); // of 21, 21 and 1 box
+  EXPECT_THAT(parts[0].faces, SizeIs(21 * 12));
+  EXPECT_THAT(parts[0].points, SizeIs(21 * 8));
+  EXPECT_THAT(parts[2].edges, SizeIs(18));
+  std::vector<std::array<glm::vec3, 3>> before, after;
+  const auto list = [](const ClosedMesh& from, auto& to) {
+    for (const Face& f : from.faces)
+      to.push_back({from.points[f[0]], from.points[f[1]], from.points[f[2]]});
+  };
+  list(whole, before);
+  for (const ClosedMesh& part : parts) {
+    list(part, after);
+    const VolumeMesh volume = shadowVolume(part);
+    EXPECT_EQ(imbalance(volume, [&](auto i) { return stays(volume.vertices[i], {3, 9, 1}); }), 0);
+  }
+  EXPECT_EQ(before, after);
+}
+
+TEST(CountableParts, AFoldedShellStaysWhole) {
+  gg::MeshData mesh = gg::torusKnot();
+  add(mesh, gg::box(), {3, 0, 0});
+  add(mesh, gg::box(), {6, 0, 0});
+  const std::vector<ClosedMesh> parts = countableParts(closed(mesh));
+  ASSERT_THAT(parts, SizeIs(2));
+  EXPECT_THAT(parts[0].faces, SizeIs(5120));
+  EXPECT_THAT(parts[1].faces, SizeIs(24));
+}
+
 TEST(Cornell, BlocksHaveThePublishedCorners) {
   const gg::MeshData mesh = blocks();
   const glm::vec3 origin(2.764f, 0, 2.796f); // of the model's space in the published one, 100 mm
