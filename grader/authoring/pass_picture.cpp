@@ -21,9 +21,10 @@ const trace::CopyRecord& find(const trace::Trace& trace, const std::string& atta
                               std::uint32_t width, std::uint32_t height, const std::string& name) {
   for (auto copy = trace.copies.rbegin(); copy != trace.copies.rend(); ++copy) {
     const auto& image = trace.passes.at(copy->pass).images[copy->attachment];
-    if (copy->width == width && copy->height == height &&
-        trace::attachmentName(copy->attachment) == attachment &&
-        image.kind == std::uint32_t(trace::ImageKind::texture))
+    const bool shows = image.kind == std::uint32_t(trace::ImageKind::texture) ||
+                       copy->attachment == trace::kStencil;
+    if (shows && copy->width == width && copy->height == height &&
+        trace::attachmentName(copy->attachment) == attachment)
       return *copy;
   }
   throw UsageError(

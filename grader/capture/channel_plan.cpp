@@ -31,10 +31,10 @@ void writeAll(int descriptor, const void* from, std::uint64_t bytes, std::uint64
 }
 
 void requirePossible(const trace::Request& trace) {
-  for (const std::uint32_t flag :
-       {trace.passes, trace.windowCopies, trace.renderbufferCopies, trace.stepCopies, trace.times})
+  for (const std::uint32_t flag : {trace.passes, trace.stepCopies, trace.times})
     require(flag <= 1, "what is recorded is 0 or 1");
-  require(trace.copies < 1U << trace::kAttachments, "copies are of attachments 0 to 9");
+  for (const std::uint32_t mask : {trace.copies, trace.windowCopies, trace.renderbufferCopies})
+    require(mask <= trace::kAllAttachments, "copies are of attachments 0 to 9");
   require(trace.copyFrames <= kMaxFrames, "copies are made in 64 frames at most");
   require(trace.copyBytes <= kMaxCopyBytes, "there is room for 2 GiB of copies at most");
   require(trace.reserved == 0, "what is reserved is 0");

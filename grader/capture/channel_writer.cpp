@@ -29,11 +29,13 @@ thread_local std::uint32_t messagePass = trace::kNone;
 }
 
 const char* faultOf(const trace::Request& request) {
-  for (const std::uint32_t flag : {request.passes, request.windowCopies, request.renderbufferCopies,
-                                   request.stepCopies, request.times}) {
+  for (const std::uint32_t flag : {request.passes, request.stepCopies, request.times}) {
     if (flag > 1) return "a switch of what to record is neither 0 nor 1";
   }
-  if (request.copies >> trace::kAttachments != 0) return "attachments to copy out of range";
+  for (const std::uint32_t mask :
+       {request.copies, request.windowCopies, request.renderbufferCopies}) {
+    if (mask > trace::kAllAttachments) return "attachments to copy out of range";
+  }
   if (request.copyFrames > channel::kMaxFrames) return "frames to copy out of range";
   if (request.copyBytes > channel::kMaxCopyBytes) return "room for copies out of range";
   return nullptr;

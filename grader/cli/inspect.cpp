@@ -23,8 +23,7 @@ struct Options {
 trace::Request requested(bool steps) {
   trace::Request request{};
   request.passes = 1;
-  request.copies = (1U << trace::kAttachments) - 1;
-  request.windowCopies = request.renderbufferCopies = 1;
+  request.copies = request.windowCopies = request.renderbufferCopies = trace::kAllAttachments;
   request.stepCopies = steps;
   request.copyFrames = 1;
   request.times = 1;

@@ -34,8 +34,7 @@ trace::Request requested(const Options& options) {
   trace::Request request{};
   if (!options.passes) return request;
   request.passes = 1;
-  request.copies = (1U << trace::kAttachments) - 1;
-  request.windowCopies = request.renderbufferCopies = 1;
+  request.copies = request.windowCopies = request.renderbufferCopies = trace::kAllAttachments;
   request.stepCopies = options.steps;
   request.copyFrames = std::uint32_t(options.times.size());
   request.times = options.passTimes;

@@ -246,7 +246,9 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
 trace::Request gradingRequest() {
   trace::Request request{};
   request.passes = 1;
-  request.copies = ((1U << trace::kColors) - 1) | 1U << trace::kDepth;
+  request.copies = trace::kAllAttachments;
+  // The window's colours come with the frames; nobody asks for its depths.
+  request.windowCopies = request.renderbufferCopies = 1U << trace::kStencil;
   request.copyFrames = 1;
   // What doesn't fit is left out and counted. Ten times what the largest reference needs, and yet
   // too little for a hostile program to fill a disk with.

@@ -55,7 +55,8 @@ struct ShaderCache {
 };
 
 /// What is recorded of the passes of programs that are graded, and of those that they are compared
-/// with: everything, and what the first frame's passes left in textures.
+/// with: everything, what the first frame's passes left in textures, and the stencil wherever it
+/// is.
 trace::Request gradingRequest();
 
 /// Runs `folder`/`id` in `scene` for the given times. What `trace` asks for of the passes stands in

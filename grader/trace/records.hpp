@@ -21,7 +21,7 @@ namespace ggrade::trace {
 
 /// Of everything on this page: raise it with any change, so that recordings that were kept are made
 /// again.
-inline constexpr std::uint32_t kLayoutVersion = 1;
+inline constexpr std::uint32_t kLayoutVersion = 2;
 
 inline constexpr std::uint32_t kNone = 0xffffffff; ///< no such pass, layer, ...
 
@@ -30,6 +30,7 @@ inline constexpr std::uint32_t kColors = 8;
 inline constexpr std::uint32_t kDepth = 8;
 inline constexpr std::uint32_t kStencil = 9;
 inline constexpr std::uint32_t kAttachments = 10;
+inline constexpr std::uint32_t kAllAttachments = (1U << kAttachments) - 1;
 
 // Most that is recorded of a run; what goes beyond is counted.
 inline constexpr std::uint32_t kMaxPasses = 4096;
@@ -170,8 +171,8 @@ struct CopyRecord {
 struct Request {
   std::uint32_t passes; ///< 1: record passes. 0: nothing at all is recorded.
   std::uint32_t copies; ///< mask of attachments to copy after every pass that can have changed them
-  std::uint32_t windowCopies;       ///< 1: also of passes that draw to the window
-  std::uint32_t renderbufferCopies; ///< 1: also of renderbuffers
+  std::uint32_t windowCopies;       ///< mask of those of them that are copied of the window, too
+  std::uint32_t renderbufferCopies; ///< mask of those that are copied of renderbuffers, too
   std::uint32_t stepCopies;         ///< 1: also after every step
   std::uint32_t copyFrames;         ///< copies are made in the first so many frames
   std::uint32_t times;              ///< 1: wait for GL at both ends of every pass and measure it

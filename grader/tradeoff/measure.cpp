@@ -28,8 +28,8 @@ trace::Request timesRequest() {
 trace::Request copiesRequest() {
   trace::Request request{};
   request.passes = 1;
-  request.copies = (1U << trace::kAttachments) - 1;
-  request.windowCopies = request.renderbufferCopies = request.copyFrames = 1;
+  request.copies = request.windowCopies = request.renderbufferCopies = trace::kAllAttachments;
+  request.copyFrames = 1;
   request.copyBytes = std::uint64_t{1} << 30;
   return request;
 }

@@ -210,6 +210,15 @@ TEST(CaptureCopyRequests, LeaveOutTheWindowAndRenderbuffers) {
   EXPECT_EQ(trace.copies[0].pass, 1U);
 }
 
+// As in a grading: the window's stencil and nothing else of it.
+TEST(CaptureCopyRequests, AreForSomeOfTheWindowsAttachments) {
+  trace::Request request = everything();
+  request.windowCopies = 1U << kStencil;
+  const trace::Trace trace = record("passes", "clears", 1, request).capture.trace;
+  ASSERT_EQ(trace.copies.size(), 1U);
+  EXPECT_THAT(valueAfter(trace, 1, kStencil, 0, 0), ElementsAre(7));
+}
+
 TEST(CaptureCopyRequests, EndAfterSomeFrames) {
   trace::Request request = everything();
   request.copyFrames = 2;

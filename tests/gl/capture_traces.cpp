@@ -65,9 +65,7 @@ template <typename Value> double at(const std::byte* from) {
 trace::Request everything() {
   trace::Request request{};
   request.passes = 1;
-  request.copies = (1U << trace::kAttachments) - 1;
-  request.windowCopies = 1;
-  request.renderbufferCopies = 1;
+  request.copies = request.windowCopies = request.renderbufferCopies = trace::kAllAttachments;
   request.copyFrames = channel::kMaxFrames;
   request.copyBytes = std::uint64_t{64} << 20;
   return request;

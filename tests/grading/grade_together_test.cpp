@@ -63,7 +63,7 @@ trace::Request everything() {
   trace::Request request{};
   request.passes = 1;
   request.copies = 1u | 1u << trace::kDepth;
-  request.windowCopies = 1;
+  request.windowCopies = request.copies;
   request.copyFrames = 1;
   request.copyBytes = std::uint64_t{512} << 20;
   return request;

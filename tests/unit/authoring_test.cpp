@@ -267,6 +267,20 @@ TEST(PassPicture, StandsInRowsOfThreeAndTakesTheLastPassOfEachSize) {
     EXPECT_THAT(sheet.pixel(x, y), ElementsAre(1, 1, 1)) << x << ' ' << y;
 }
 
+// The window's colours are the picture itself; its stencil is to be seen nowhere else.
+TEST(PassPicture, ShowsTheWindowsStencil) {
+  trace::Trace trace = trace::samples::mirror();
+  trace::ImageRef& image = trace.passes[1].images[trace::kStencil];
+  image = trace::samples::texture(GL_DEPTH24_STENCIL8, 2, 1);
+  image.kind = std::uint32_t(trace::ImageKind::window);
+  trace::samples::addCopy<std::uint8_t>(trace, 1, trace::kStencil, trace::PixelType::u8x1, 2, 1,
+                                        {0, 255});
+  const Image one =
+      passPicture(trace, R"({"attachment": "stencil", "sizes": [[2, 1]], "height": 1})");
+  EXPECT_THAT(one.pixel(0, 0), ElementsAre(0, 0, 0));
+  EXPECT_NE(one.at(1, 0, 0) + one.at(1, 0, 1) + one.at(1, 0, 2), 0);
+}
+
 TEST(PassPicture, SaysWhatNoPassDraws) {
   const trace::Trace trace = trace::samples::mirror();
   const auto problem = [&](const std::string& wanted) {

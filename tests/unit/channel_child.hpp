@@ -13,8 +13,8 @@ namespace ggrade::channel {
 inline trace::Request everything(std::uint64_t copyBytes) {
   trace::Request request{};
   request.passes = 1;
-  request.copies = (1U << trace::kAttachments) - 1;
-  request.windowCopies = request.renderbufferCopies = request.stepCopies = 1;
+  request.copies = request.windowCopies = request.renderbufferCopies = trace::kAllAttachments;
+  request.stepCopies = 1;
   request.copyFrames = 2;
   request.copyBytes = copyBytes;
   return request;

@@ -197,6 +197,8 @@ TEST(Channel, RefusesImpossibleRequests) {
       {"what is recorded is 0 or 1", [](trace::Request& request) { request.stepCopies = 7; }},
       {"what is recorded is 0 or 1", [](trace::Request& request) { request.times = 3; }},
       {"copies are of attachments 0 to 9", [](trace::Request& request) { request.copies = 1024; }},
+      {"copies are of attachments 0 to 9",
+       [](trace::Request& request) { request.windowCopies = 1024; }},
       {"copies are made in 64 frames at most",
        [](trace::Request& request) { request.copyFrames = 65; }},
       {"there is room for 2 GiB of copies at most",

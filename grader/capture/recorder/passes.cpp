@@ -14,12 +14,13 @@ namespace {
 using trace::ImageKind;
 using trace::kNone;
 
-bool isWanted(const trace::Request& request, const trace::ImageRef& image) {
+bool isWanted(const trace::Request& request, const trace::ImageRef& image,
+              std::uint32_t attachment) {
   switch (static_cast<ImageKind>(image.kind)) {
   case ImageKind::window:
-    return request.windowCopies;
+    return request.windowCopies >> attachment & 1;
   case ImageKind::renderbuffer:
-    return request.renderbufferCopies;
+    return request.renderbufferCopies >> attachment & 1;
   case ImageKind::texture:
     return true;
   default:
@@ -122,7 +123,7 @@ void copyAttachments(Session& session, OpenPass& pass, std::uint32_t mask, std::
   std::optional<ImageReader> reader;
   for (std::uint32_t i = 0; i < trace::kAttachments; ++i) {
     const trace::ImageRef& image = pass.record.images[i];
-    if (!(mask >> i & 1) || !isWanted(request, image)) continue;
+    if (!(mask >> i & 1) || !isWanted(request, image, i)) continue;
     if (!reader) reader.emplace(session.context().framebuffer);
     trace::CopyRecord record{};
     record.pass = pass.index;
