@@ -1,17 +1,15 @@
 // Which faces of a mesh meet in which edge; and any mesh as a closed one.
 //
-// A shadow volume must be closed: along every edge as many faces must run one way as the other. Not
-// every mesh is, so it is put right first:
-//   1. Corners at equal positions are one point. (Nearly equal ones are not: a radius would have to
-//      know how small the mesh's parts are, and melts those that are smaller.)
+// A shadow volume must be closed: along every edge as many faces must run one way as the other.
+// Not every mesh is, so it is put right first:
+//   1. Corners at equal positions are one point; -0 equals 0. (Nearly equal ones are not: a radius
+//      would have to know how small the mesh's parts are, and melts those that are smaller.)
 //   2. A triangle with two equal corners covers nothing: it is left out. One with three corners in
-//   a
-//      line stays, because its neighbours meet in it.
-//   3. A triangle that is there twice, the same way round, is drawn once. The other way round it is
-//      the back of a thin sheet, and stays.
+//      a line stays, because its neighbours meet in it.
+//   3. A triangle that is there twice, the same way round, is drawn once. The other way round it
+//      is the back of a thin sheet, and stays.
 //   4. Where an edge has more faces running one way than the other, the mesh is open, or turned
-//   over.
-//      Then all triangles that hang together with it get a back: themselves, turned round.
+//      over. Then all triangles that hang together with it get a back: themselves, turned round.
 //      Whichever side of such a sheet the light is on, one of the two faces it, and throws the
 //      shadow.
 #pragma once
@@ -62,8 +60,7 @@ inline std::string andMore(std::size_t count) {
 // Rule 1: the points, in ascending order, and which of them each vertex is.
 inline std::vector<std::uint32_t> weld(const gg::MeshData& mesh, std::vector<glm::vec3>& points) {
   std::vector<std::tuple<float, float, float, std::uint32_t>> sorted;
-  for (const glm::vec3& p : mesh.positions) // adding 0 makes -0 to 0
-    sorted.emplace_back(p.x + 0.0f, p.y + 0.0f, p.z + 0.0f, sorted.size());
+  for (const glm::vec3& p : mesh.positions) sorted.emplace_back(p.x, p.y, p.z, sorted.size());
   std::sort(sorted.begin(), sorted.end());
   std::vector<std::uint32_t> pointOf(sorted.size());
   for (const auto& [x, y, z, vertex] : sorted) {

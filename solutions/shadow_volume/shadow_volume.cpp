@@ -121,8 +121,13 @@ void app(const gg::Scene& scene) {
     gg::Light lit = scene.light;
     lit.position = glm::vec4(lamp, 1);
     light.load(lit.in(view));
-    // The volume is worked out in the caster's own space, so the light has to come there.
-    const glm::vec3 lampModel = glm::vec3(glm::inverse(world.placed) * glm::vec4(lamp, 1));
+    // TODO(shadow_volume.2): the volume is worked out in the caster's own space: where is the lamp
+    //   there? Given: `lamp`, in world space, and world.placed, world from the caster's space. Then
+    //   the shader, volume.vert.
+    glm::vec3 lampModel(0);
+    // BEGIN SOLUTION(shadow_volume.2)
+    lampModel = glm::vec3(glm::inverse(world.placed) * glm::vec4(lamp, 1));
+    // END SOLUTION(shadow_volume.2)
 
     if (silhouettes && loadedFor != lampModel) {
       for (std::size_t i = 0; i < parts.size(); ++i)
@@ -141,10 +146,8 @@ void app(const gg::Scene& scene) {
     drawWorld(objectProgram, projection, view, world, material, scene);
 
     // Pass "volume": counts, in the stencil buffer, how many volumes each pixel's surface lies in.
-    const bool zFail = scene.integer("quality.method") == 1;
-    // TODO(shadow_volume.3): count: a face of the volume that is seen from the front is a way in,
-    // one
-    //   that is seen from the back a way out.
+    // TODO(shadow_volume.3): count. What is seen of the volume from the front is a way in, what is
+    //   seen from the back a way out.
     //   Do:     clear the stencil buffer, once. Below, for every volume: enable the stencil test,
     //           which always passes. Where the depth test passes, too, front faces increment and
     //           back faces decrement, with wrap. Nothing may be written to colours and depths, no
@@ -166,12 +169,13 @@ void app(const gg::Scene& scene) {
       glDepthMask(GL_FALSE);
       glDisable(GL_CULL_FACE);
       // END SOLUTION(shadow_volume.3)
-      // TODO(shadow_volume.5): if `zFail`, count what is hidden instead, so that it doesn't matter
-      //   where the eye is: where the depth test fails, back faces increment and front faces
-      //   decrement. Nothing of the volume may be cut off: GL_DEPTH_CLAMP, until it is drawn.
+      // TODO(shadow_volume.5): if the scene's quality.method is 1, count what is hidden instead, so
+      //   that it doesn't matter where the eye is: where the depth test fails, back faces increment
+      //   and front faces decrement. Nothing of the volume may be cut off: GL_DEPTH_CLAMP, until it
+      //   is drawn.
       //   Expect: right also with the eye in a shadow.           (README.md, step 5)
       // BEGIN SOLUTION(shadow_volume.5)
-      if (zFail) {
+      if (scene.integer("quality.method") == 1) {
         glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_DECR_WRAP, GL_KEEP);
         glStencilOpSeparate(GL_BACK, GL_KEEP, GL_INCR_WRAP, GL_KEEP);
         glEnable(GL_DEPTH_CLAMP);

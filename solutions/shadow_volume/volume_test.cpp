@@ -84,8 +84,7 @@ std::vector<Sample> samples() {
   add(sample("a triangle twice", gg::box()),
       soup({{glm::vec3(-0.5f, 0, 0.5f), {0.5f, 0, 0.5f}, {0.5f, 1, 0.5f}}}), {});
   add(sample("a triangle with two equal corners", gg::box()), soup({{kA, kA, kC}}), {0, 1, 0});
-  // The corner E is in the middle of A's and B's edge on one side only; a thin triangle fills the
-  // gap.
+  // On one side only, the edge from A to B has a corner in the middle; a thin triangle fills in.
   const glm::vec3 middle(0.5f, 0, 0);
   sample("a corner within an edge", soup({{kA, kC, kB},
                                           {kA, middle, kD},
@@ -272,6 +271,17 @@ TEST(ShadowVolume, OfABox) {
   // From above, the silhouette is the top's outline: 4 edges. From a corner's direction it has 6.
   EXPECT_THAT(silhouetteVolume(closed(gg::box()), {0, 5, 0}).indices, SizeIs(36 + 6 * 4));
   EXPECT_THAT(silhouetteVolume(closed(gg::box()), {5, 5, 5}).indices, SizeIs(36 + 6 * 6));
+}
+
+// At infinity it would be a line, and the volume open.
+TEST(ShadowVolume, AFaceWithTheLightInItStays) {
+  const ClosedMesh mesh = closed(gg::box());
+  const VolumeMesh volume = silhouetteVolume(mesh, {0.2f, 1, 0.1f});
+  for (std::size_t face = 0; face < mesh.faces.size(); ++face) {
+    const bool top = face / 2 == 4;
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_EQ(stays(volume.vertices[volume.indices[3 * face + k]], {0.2f, 1, 0.1f}), top) << face;
+  }
 }
 
 TEST(ShadowVolume, APlaneIsPositiveInFrontOfItsFace) {
