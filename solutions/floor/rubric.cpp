@@ -4,8 +4,8 @@
 // floor, the objects or their reflections alone, in flat colours. Nothing here knows how a student
 // has drawn the reflection; only what the window shows counts.
 
-#include "rubric_common.hpp"
-#include "rubric_follows.hpp"
+#include "rubric/follows.hpp"
+#include "rubric/measures.hpp"
 #include "rubric_passes.hpp"
 
 #include <fmt/format.h>
@@ -17,6 +17,7 @@
 #include <set>
 
 using namespace floor_rubric;
+using namespace ggrade::rubric;
 
 namespace {
 

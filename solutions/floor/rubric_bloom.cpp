@@ -7,8 +7,8 @@
 // end (as the lecture does): a bright pass that is brighter by the number of levels sets the gain
 // for all.
 
-#include "rubric_common.hpp"
-#include "rubric_follows.hpp"
+#include "rubric/follows.hpp"
+#include "rubric/measures.hpp"
 #include "rubric_pyramid.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +21,7 @@
 #include <optional>
 
 using namespace floor_rubric;
+using namespace ggrade::rubric;
 
 namespace {
 

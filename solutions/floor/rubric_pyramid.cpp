@@ -1,6 +1,6 @@
 #include "rubric_pyramid.hpp"
 
-#include "rubric_common.hpp"
+#include "rubric/measures.hpp"
 
 #include <fmt/format.h>
 

@@ -4,8 +4,9 @@
 // "unlit" (0) and "unshadowed" (1). So shadows are found whatever their colour. The shadow map is
 // judged through a matrix of the submission's own.
 
-#include "rubric_common.hpp"
-#include "rubric_follows.hpp"
+#include "rubric/follows.hpp"
+#include "rubric/light.hpp"
+#include "rubric/measures.hpp"
 #include "rubric_passes.hpp"
 
 #include <fmt/format.h>
@@ -16,6 +17,7 @@
 #include <map>
 
 using namespace floor_rubric;
+using namespace ggrade::rubric;
 
 namespace {
 
@@ -35,27 +37,8 @@ const Image& probe(const View& view, const char* name, std::size_t frame) {
   return view.scene.probes.at(name).at(frame);
 }
 
-/// How much of the light reaches each pixel: 0 in shadow, 1 lit; measured only where `measurable`.
-Image visibility(const Image& image, const Image& unlit, const Image& unshadowed) {
-  Image out(image.width(), image.height(), 1);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      float along = 0, length = 1e-9f;
-      for (int c = 0; c < 3; ++c) {
-        const float light = unshadowed.at(x, y, c) - unlit.at(x, y, c);
-        along += (image.at(x, y, c) - unlit.at(x, y, c)) * light;
-        length += light * light;
-      }
-      out.at(x, y) = along / length;
-    }
-  return out;
-}
-
-Mask below(const Image& image, float value) {
-  Mask mask(image.width(), image.height());
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) mask.set(x, y, image.at(x, y) < value);
-  return mask;
+LightRange lightOf(const View& view, std::size_t frame) {
+  return {probe(view, "unlit", frame), probe(view, "unshadowed", frame)};
 }
 
 /// What a frame of a scene shows where, in the reference.
@@ -70,15 +53,15 @@ const Regions& regionsOf(const View& view, std::size_t frame) {
   auto [entry, fresh] = known.try_emplace({&view.scene, frame});
   Regions& regions = entry->second;
   if (fresh) {
-    const Image& unlit = probe(view, "unlit", frame);
-    const Image& unshadowed = probe(view, "unshadowed", frame);
-    const Mask measurable = differenceMask(unlit, unshadowed, kLeastLight);
+    const LightRange light = lightOf(view, frame);
+    const Mask measurable = differenceMask(light.unlit, light.unshadowed, kLeastLight);
     const Mask objects = shown(probe(view, "objects", frame));
-    regions.objects = erode(objects, 1) & differenceMask(unlit, unshadowed, kLeastOnObjects);
+    regions.objects =
+        erode(objects, 1) & differenceMask(light.unlit, light.unshadowed, kLeastOnObjects);
     const Mask floor = shown(probe(view, "floor", frame));
     regions.averted = (objects | floor) & ~measurable;
     regions.floor = floor & ~dilate(objects, 1) & measurable;
-    regions.shadow = below(visibility(view.scene.reference.at(frame), unlit, unshadowed), 0.5f) &
+    regions.shadow = below(visibility(view.scene.reference.at(frame), light), 0.5f) &
                      (regions.objects | regions.floor);
   }
   return regions;
@@ -86,9 +69,7 @@ const Regions& regionsOf(const View& view, std::size_t frame) {
 
 /// Pixels in shadow in one of the view's frames.
 Mask shadowIn(const View& view, std::size_t frame) {
-  return below(visibility(view.frames.at(frame), probe(view, "unlit", frame),
-                          probe(view, "unshadowed", frame)),
-               0.5f);
+  return below(visibility(view.frames.at(frame), lightOf(view, frame)), 0.5f);
 }
 
 Verdict shadowsAgree(const View& view, std::size_t frame, const Mask& region, const char* what,
@@ -389,31 +370,13 @@ GGRADE_ITEM("shadow.outside", [](const View& view) {
 /// are a small part of the picture.
 double spoiled(const View& view, std::size_t frame, std::string& where) {
   const Image& image = view.frames.at(frame);
-  const Image& unlit = probe(view, "unlit", frame);
-  const Image& unshadowed = probe(view, "unshadowed", frame);
   const Regions& regions = regionsOf(view, frame);
   // The colour of a shadow is another item's.
   const Mask region =
       ~dilate(regions.shadow | (shadowIn(view, frame) & (regions.floor | regions.objects)), kEdge) &
       ~regions.averted;
-  CompareOptions options;
-  options.mask = &region;
-  Mask wrong = region;
-  for (const Image* other : {&view.scene.reference.at(frame), &unlit, &unshadowed})
-    if (const Comparison comparison = compare(image, *other, options); comparison.compared())
-      wrong = wrong & comparison.wrong;
-  const Image amount = visibility(image, unlit, unshadowed);
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      if (!wrong.at(x, y)) continue;
-      const float v = std::clamp(amount.at(x, y), 0.0f, 1.0f);
-      bool between = true;
-      for (int c = 0; c < 3; ++c) {
-        const float light = unlit.at(x, y, c) + v * (unshadowed.at(x, y, c) - unlit.at(x, y, c));
-        between &= std::abs(image.at(x, y, c) - light) <= 2 * tolerances().tolerance;
-      }
-      if (between) wrong.set(x, y, false);
-    }
+  const Mask wrong =
+      unexplained(image, view.scene.reference.at(frame), lightOf(view, frame), region);
   double share = 0;
   const Mask all(image.width(), image.height(), true);
   for (const auto& [part, name] : {std::pair{&all, "pixels"},
@@ -464,12 +427,11 @@ double rms(const Image& a, const Image& b, const Mask& region) {
 
 GGRADE_ITEM("shadow.pcf", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
-    const Image& unlit = probe(view, "unlit", i);
-    const Image& unshadowed = probe(view, "unshadowed", i);
-    const Image wanted = visibility(view.scene.reference.at(i), unlit, unshadowed);
+    const LightRange light = lightOf(view, i);
+    const Image wanted = visibility(view.scene.reference.at(i), light);
     const Mask region = dilate(regionsOf(view, i).shadow, 8) & regionsOf(view, i).floor;
-    const double hard = rms(visibility(probe(view, "hard", i), unlit, unshadowed), wanted, region);
-    const double found = rms(visibility(view.frames.at(i), unlit, unshadowed), wanted, region);
+    const double hard = rms(visibility(probe(view, "hard", i), light), wanted, region);
+    const double found = rms(visibility(view.frames.at(i), light), wanted, region);
     return {
         std::clamp((1 - found / hard) / 0.7, 0.0, 1.0),
         fmt::format("the soft edge is off by {:.3f} (RMS of the light); a hard one is by {:.3f}",

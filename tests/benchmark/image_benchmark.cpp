@@ -2,7 +2,7 @@
 // score a frame with its passes. One thread; look at the CPU column. Times a megapixel: 1000 over
 // "MP/s".
 
-#include "rubric_common.hpp"
+#include "rubric/measures.hpp"
 #include "rubric_passes.hpp"
 #include "rubric_pyramid.hpp"
 
@@ -109,6 +109,7 @@ struct Evidence {
 /// own, both lights.
 double scoreFrame(const Evidence& student, const Evidence& wanted) {
   using namespace floor_rubric;
+  using namespace ggrade::rubric;
   const Image frame = rubric::toImage(student.frame), reference = rubric::toImage(wanted.frame);
   const Image black(kWidth, kHeight, 3);
   const Mask objects = differenceMask(reference, black, 0.5f);

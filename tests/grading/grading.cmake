@@ -5,7 +5,7 @@ target_compile_definitions(grading_tool PUBLIC GGRADE_SOURCE_DIR="${PROJECT_SOUR
   GGRADE_BUILD_DIR="${CMAKE_BINARY_DIR}")
 file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/grade_*_test.cpp)
 # The judge's own filters, to compose a frame from its passes.
-foreach(part common passes pyramid)
+foreach(part passes pyramid)
   list(APPEND sources ${PROJECT_SOURCE_DIR}/solutions/floor/rubric_${part}.cpp)
 endforeach()
 ggrade_test(grading_test grading SOURCES ${sources} LIBRARIES grading_tool TIMEOUT 600)

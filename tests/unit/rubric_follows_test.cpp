@@ -1,12 +1,11 @@
 // What changes in a scene must change in the picture, and nothing else: on pictures of a square.
 
-#include "../../solutions/floor/rubric_follows.hpp"
+#include "rubric/follows.hpp"
 
 #include <gmock/gmock.h>
 
 using namespace ggrade;
-using namespace floor_rubric;
-using rubric::Frames;
+using namespace ggrade::rubric;
 using testing::HasSubstr;
 
 namespace {

@@ -1,11 +1,11 @@
-#include "rubric_follows.hpp"
+#include "rubric/follows.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace floor_rubric {
+namespace ggrade::rubric {
 
 namespace {
 
@@ -105,4 +105,4 @@ Verdict follows(const View& view, const Effect& effect, const std::string& what)
   return responds(found, wanted, passes ? "time passed: " : "", what);
 }
 
-} // namespace floor_rubric
+} // namespace ggrade::rubric

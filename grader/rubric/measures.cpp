@@ -1,10 +1,10 @@
-#include "rubric_common.hpp"
+#include "rubric/measures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
-namespace floor_rubric {
+namespace ggrade::rubric {
 
 double qualityOf(double wrongShare, double nothingLeft) {
   return std::clamp((nothingLeft - wrongShare) / (nothingLeft - kOtherWays), 0.0, 1.0);
@@ -40,4 +40,4 @@ bool tooSmall(const Mask& region) {
   return region.count() < 50;
 }
 
-} // namespace floor_rubric
+} // namespace ggrade::rubric

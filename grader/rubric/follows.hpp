@@ -1,14 +1,15 @@
 #pragma once
-// What changes in a scene must change in the picture, and nothing else: metamorphic relations
-// (Chen, Cheung, Yiu 1998). Each compares two pictures of the submission with each other. The
-// reference only says how large the change is, so that a picture that is wrong, but wrong in the
-// same way before and after, loses nothing here.
+/// \file
+/// What changes in a scene must change in the picture, and nothing else: metamorphic relations
+/// (Chen, Cheung, Yiu 1998). Each compares two pictures of the submission with each other. The
+/// reference only says how large the change is, so that a picture that is wrong, but wrong in the
+/// same way before and after, loses nothing here.
 
-#include "rubric_common.hpp"
+#include "rubric/measures.hpp"
 
 #include <functional>
 
-namespace floor_rubric {
+namespace ggrade::rubric {
 
 /// The pixels of a frame of a view in which an effect (reflection, shadow, bloom) shows.
 using Effect = std::function<Mask(const View& view, std::size_t frame)>;
@@ -24,4 +25,4 @@ Verdict follows(const View& view, const Effect& effect, const std::string& what)
 /// `mask` has anything to say about.
 Mask throughWindow(const Mask& mask, int width, int height, Mask& seen);
 
-} // namespace floor_rubric
+} // namespace ggrade::rubric

@@ -1,5 +1,6 @@
 #pragma once
-// What the rubrics of the three parts share.
+/// \file
+/// What rubrics measure alike: masks that agree, colours in a region, frames that stay right.
 
 #include "image/compare.hpp"
 #include "image/mask.hpp"
@@ -7,13 +8,7 @@
 
 #include <string>
 
-namespace floor_rubric {
-
-using namespace ggrade;
-using rubric::PassOutput;
-using rubric::SceneEvidence;
-using rubric::Verdict;
-using rubric::View;
+namespace ggrade::rubric {
 
 /// Share of wrong pixels at which an item about a region has nothing left.
 inline constexpr double kNothingLeft = 0.4;
@@ -76,4 +71,4 @@ inline double unharmed(double share) {
   return 1 - std::clamp((share - 0.005) / 0.25, 0.0, 1.0);
 }
 
-} // namespace floor_rubric
+} // namespace ggrade::rubric
