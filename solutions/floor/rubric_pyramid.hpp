@@ -10,6 +10,8 @@
 
 namespace floor_rubric {
 
+using namespace ggrade::rubric;
+
 /// One level: what was drawn at its size first (on the way down) and last (on the way up).
 struct Level {
   int width = 0, height = 0;

@@ -17,7 +17,7 @@ namespace {
 /// Less than any lit surface of the scene reaches, and what is left of white after rounding.
 constexpr float kWhite = 0.98f;
 /// What faces without anything that connects them are worth.
-constexpr double kFacesAlone = 0.4;
+constexpr double kFacesAlone = 0.3;
 
 Mask white(const Image& image) {
   Mask mask(image.width(), image.height());
@@ -80,6 +80,8 @@ GGRADE_ITEM("shadow_volume.extrude",
             [](const View& view) { return orCountedRightly(view, extruded(view)); });
 
 GGRADE_ITEM("shadow_volume.stencil", counted);
+
+GGRADE_ITEM("shadow_volume.far", counted);
 
 GGRADE_ITEM("shadow_volume.inside", counted);
 
