@@ -54,13 +54,16 @@ Verdict mesh(const View& view) {
                       100 * faces, found.beside.count(), wanted.beside.count())};
 }
 
+/// A volume of which so much beside the object is wrong has another shape.
+constexpr double kAnotherShape = 0.3;
+
 Verdict extruded(const View& view) {
   const Shown found = volumeIn(view, view.frames.at(0));
   const Shown wanted = volumeIn(view, view.scene.reference.at(0));
   const Agreement pixels = agreement(wanted.beside, found.beside, kEdge);
   const Mask wrong = (wanted.beside & ~dilate(found.beside, kEdge)) |
                      (found.beside & ~dilate(wanted.beside, kEdge));
-  return {qualityOf(pixels.wrongShare()),
+  return {qualityOf(pixels.wrongShare(), kAnotherShape),
           fmt::format("beside the object {} pixels must be white; {} of them are not, and {} "
                       "others are{}",
                       pixels.wanted, pixels.missing, pixels.extra,
@@ -70,6 +73,7 @@ Verdict extruded(const View& view) {
 /// Who has what the volume is for has the volume.
 Verdict orCountedRightly(const View& view, const Verdict& verdict) {
   const Verdict other = counted(view);
+  if (frozen(view)) return other;
   return other.quality >= kNearlyAll && other.quality > verdict.quality ? other : verdict;
 }
 
