@@ -34,6 +34,9 @@ struct Answer {
   Image truth, rendered, difference; ///< for people: RGB(A), 0 to 1; any may be empty
 };
 
+/// A difference as people can see it: four times as strong. Both RGB, of one size.
+Image shownDifference(const Image& a, const Image& b);
+
 using Judge = std::function<Answer(const Rendered&)>;
 
 /// The judge of a part; throws std::invalid_argument with the parts there are.

@@ -3,12 +3,9 @@
 // but the scene file and the meshes' vertices is taken from the program that is judged.
 
 #include "truth/blur.hpp"
-#include "truth/ray.hpp"
-#include "truth/truth.hpp"
+#include "truth/kept.hpp"
+#include "truth/scene.hpp"
 
-#include <glm/mat3x3.hpp>
-
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,19 +13,13 @@
 namespace floor_truth {
 
 using namespace ggrade;
-using glm::dvec3;
 using nlohmann::json;
+using truth::aboutY, truth::continues, truth::cut, truth::dvec3, truth::kept, truth::number,
+    truth::shownDifference, truth::Surface, truth::vector;
 
+/// IDs of surfaces.
 inline constexpr int kNothing = -1; ///< the background
 inline constexpr int kFloor = 0;    ///< objects count from 1
-
-/// What a ray meets first.
-struct Surface {
-  int id = kNothing;
-  dvec3 position{0}; ///< world space
-  dvec3 normal{0};   ///< interpolated, unit length
-  dvec3 face{0};     ///< of the flat triangle, unit length
-};
 
 /// What a pixel shows.
 struct Seen {
@@ -74,23 +65,13 @@ public:
   double ballRadius;
 
 private:
-  /// Does an object stand between the surface and this place?
-  bool hidden(const Surface& surface, const dvec3& from) const;
-  struct Material {
-    dvec3 ambient, diffuse, specular; ///< times the light's
-    double shininess;
-  };
-  Material material(const json& scene, const char* name) const;
   /// The first object on a ray; behind `from`, in lengths of `direction`.
   Surface object(const dvec3& origin, const dvec3& direction, double from, double to) const;
 
-  dvec3 eye_, forward_, right_, up_; ///< right and up to the picture's edge at distance 1
-  double near_, far_;
-  Material object_, floor_;
+  truth::Camera camera_;
+  truth::Material object_, floor_;
   double glow_, tilesPerUnit_, halfWidth_, halfDepth_;
-  std::vector<std::uint32_t> indices_;
-  std::vector<std::vector<dvec3>> normals_; ///< world space, by object and vertex
-  std::unique_ptr<truth::RayScene> rays_;
+  std::unique_ptr<truth::Objects> objects_;
 };
 
 World worldOf(const truth::Rendered& rendered);
@@ -99,27 +80,5 @@ World worldWithoutBloom(const truth::Rendered& rendered, const std::string& whos
 
 /// Every pixel, row by row.
 std::vector<Seen> look(const World& world);
-
-/// Do two neighbouring pixels show the same smooth piece of a surface?
-bool continues(const Surface& a, const Surface& b);
-
-/// What the truth of the scene depends on, as a key: all but how well it is drawn.
-std::string keyOf(const truth::Rendered& rendered);
-
-/// `make(rendered)`, kept for the scenes that were asked for last. Not for several threads.
-template <class Made, class Make>
-std::shared_ptr<const Made> kept(const truth::Rendered& rendered, Make make) {
-  constexpr std::size_t kMost = 4; // shadows take 30 MiB at 640x480
-  static std::map<std::string, std::shared_ptr<const Made>> all;
-  const std::string key = keyOf(rendered);
-  if (const auto found = all.find(key); found != all.end()) return found->second;
-  if (all.size() == kMost) all.clear();
-  return all[key] = std::make_shared<const Made>(make(rendered));
-}
-
-/// 0 to 1, as a window shows it.
-dvec3 cut(const dvec3& light);
-/// A difference as people can see it: four times as strong.
-Image shownDifference(const Image& a, const Image& b);
 
 } // namespace floor_truth
