@@ -12,10 +12,12 @@
 //      over. Then all triangles that hang together with it get a back: themselves, turned round.
 //      Whichever side of such a sheet the light is on, one of the two faces it, and throws the
 //      shadow.
+//   5. A mesh that is inside out is turned round: in the volume, not in the picture.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <numeric>
@@ -25,6 +27,7 @@
 #include <vector>
 
 #include <gg/mesh_data.hpp>
+#include <glm/geometric.hpp>
 
 using Face = std::array<std::uint32_t, 3>; // three points, counterclockwise
 
@@ -183,6 +186,22 @@ inline void addBacks(std::vector<Face>& faces, const std::vector<glm::vec3>& poi
                      std::to_string(faces.size() - count) + " triangles get a back");
 }
 
+// Rule 5. The sum of the tetrahedra between a point and each face is the volume that a closed mesh
+// encloses; inside out it is negative.
+inline void turnRight(std::vector<Face>& faces, const std::vector<glm::vec3>& points,
+                      std::vector<std::string>& warnings) {
+  double sum = 0, size = 0;
+  for (const Face& face : faces) {
+    const glm::dvec3 origin(points[0]), a(points[face[0]]), b(points[face[1]]), c(points[face[2]]);
+    const double volume = glm::dot(a - origin, glm::cross(b - origin, c - origin));
+    sum += volume;
+    size += std::abs(volume);
+  }
+  if (sum >= -1e-6 * size) return; // sheets enclose nothing
+  for (Face& face : faces) std::swap(face[1], face[2]);
+  warnings.push_back("the mesh is inside out; in the shadow volume, it is turned round");
+}
+
 } // namespace detail
 
 // Puts the mesh right by the rules above: takes triangles out of `mesh` itself (2 and 3), and
@@ -192,6 +211,7 @@ inline ClosedMesh closedMesh(gg::MeshData& mesh, std::vector<std::string>& warni
   const std::vector<std::uint32_t> pointOf = detail::weld(mesh, closed.points);
   closed.faces = detail::takeOutRepeats(mesh, closed.points, pointOf, warnings);
   detail::addBacks(closed.faces, closed.points, warnings);
+  detail::turnRight(closed.faces, closed.points, warnings);
   detail::forEachEdge(closed.faces,
                       [&](std::span<const detail::HalfEdge> meeting, std::size_t down) {
                         for (std::size_t i = 0; i < down; ++i)

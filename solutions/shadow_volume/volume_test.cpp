@@ -81,6 +81,8 @@ std::vector<Sample> samples() {
   add(sample("boxes that share an edge", gg::box()), gg::box(), {1, 0, 1});
   turnOver(sample("a box with a triangle turned over", gg::box()), 4);
   sample("Moebius strip", moebius());
+  gg::MeshData& inverted = sample("a box inside out", gg::box());
+  for (std::size_t i = 0; i < 12; ++i) turnOver(inverted, i);
   add(sample("a triangle twice", gg::box()),
       soup({{glm::vec3(-0.5f, 0, 0.5f), {0.5f, 0, 0.5f}, {0.5f, 1, 0.5f}}}), {});
   add(sample("a triangle with two equal corners", gg::box()), soup({{kA, kA, kC}}), {0, 1, 0});
@@ -338,6 +340,18 @@ TEST(ClosedMesh, ATriangleWithTwoEqualCornersIsLeftOut) {
               ElementsAre("triangle (2 0 0) (2 0 0) (2 1 0) and 1 more: two corners are the same "
                           "point; left out"));
   EXPECT_EQ(mesh.indices, gg::box().indices);
+}
+
+TEST(ClosedMesh, AMeshThatIsInsideOutIsTurnedRound) {
+  gg::MeshData mesh = gg::box();
+  for (std::size_t i = 0; i < 12; ++i) turnOver(mesh, i);
+  std::vector<std::string> lines;
+  const ClosedMesh turned = closedMesh(mesh, lines);
+  EXPECT_THAT(turned.faces, SizeIs(12));
+  EXPECT_THAT(lines,
+              ElementsAre("the mesh is inside out; in the shadow volume, it is turned round"));
+  EXPECT_NE(mesh.indices, gg::box().indices) << "what is seen stays";
+  EXPECT_GT(winding(shadowVolume(turned), {0.3, 9, 0.2}, {0, 0.5, 0}), 0.5);
 }
 
 TEST(ClosedMesh, WeldsEqualPositionsOnly) {
