@@ -1,8 +1,8 @@
 #pragma once
-// Passes as the rubrics look for them: by what they are, never by a name.
+// Passes as the rubrics look for them, see also rubric/passes.hpp.
 
 #include "image/image.hpp"
-#include "trace/trace.hpp"
+#include "rubric/passes.hpp"
 
 #include <glm/mat4x4.hpp>
 
@@ -12,22 +12,9 @@ namespace floor_rubric {
 
 using namespace ggrade;
 
-/// A picture that one pass drew and a later one sampled.
-struct Drawn {
-  const trace::PassRecord* pass = nullptr; ///< that drew it
-  std::uint32_t attachment = 0;
-  const trace::CopyRecord* copy = nullptr;
-  const trace::PassRecord* reader = nullptr; ///< the first that sampled it
-  const trace::StepRecord* readingStep = nullptr;
-  std::uint32_t format = 0; ///< internal format
-};
-
-/// Every attachment of frame 0 that a later pass of the frame samples and that was copied, in the
-/// order in which the passes drew; the first 64.
-std::vector<Drawn> sampledLater(const trace::Trace& trace);
-
-/// Was this drawn as a mesh, not as a full-screen quad?
-bool drewObjects(const trace::PassRecord& pass);
+using rubric::Drawn;
+using rubric::drewObjects;
+using rubric::sampledLater;
 
 /// The colours of `image` (any size) at the pixels of a picture of another size, bilinear, clamped
 /// at the edges; the first `channels` channels.
