@@ -1,0 +1,17 @@
+#version 410 core
+// Picture 13: the scattered light and the reflection; behind all surfaces, the environment.
+
+#include "figure.glsl"
+
+uniform bool uHasDiffuse;    // false: all surfaces are black but for what they mirror
+uniform bool uHasReflection; // false: no surface mirrors anything
+
+layout(location = 0) out vec4 oComposition;
+
+void main() {
+  vec3 light = texelFetch(uAlbedo, here(), 0).rgb;
+  // TODO(figure.6): where there is a surface, the sum of diffuse light and reflection, each if there
+  //   is such a picture; elsewhere the environment in the direction of view.
+  //   Expect: the finished picture.                                        (figure.md, step 6)
+  oComposition = vec4(min(light, kMost), 1);
+}

@@ -1,0 +1,17 @@
+#version 410 core
+// Picture 11: the share of the light that is reflected as by a mirror.
+
+#include "figure.glsl"
+
+uniform vec3 uReflectance[5]; // by material: the share of light that comes from straight ahead
+
+layout(location = 0) out vec4 oFresnel;
+
+void main() {
+  vec3 fresnel = vec3(0);
+  vec3 straight = uReflectance[texelFetch(uIds, here(), 0).y];
+  // TODO(figure.5): Schlick's approximation: straight + (1 - straight) (1 - c)^5, where c is the
+  //   cosine between the normal and the direction to the eye, but never less than 0. A material
+  //   whose `straight` is 0 reflects nothing at all.                       (figure.md, step 5)
+  oFresnel = vec4(fresnel, 1);
+}

@@ -1,0 +1,17 @@
+#version 410 core
+// The G-buffer: what the surfaces are like, not how bright they are.
+
+#include "encoding.glsl"
+#include "gg/lighting.glsl"
+
+in vec3 vNormal;    // world space, any length
+flat in uvec2 vIds; // object, material
+
+layout(location = 0) out vec4 oAlbedo;
+// TODO(figure.2): two more outputs: oNormal, a vec4 at location 1, and oIds, a uvec2 at location 2;
+//   and write them below: the unit normal, encoded by encode(), and vIds.
+//   Expect: the picture of the normals.                                  (figure.md, step 2)
+
+void main() {
+  oAlbedo = vec4(uMaterial.diffuse.rgb, 1);
+}

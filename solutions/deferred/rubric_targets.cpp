@@ -1,0 +1,130 @@
+// The rubric of part "targets". Titles and points stand in assignment.json.
+//
+// The three kinds of light are looked for among the textures that objects are drawn into; in which
+// order they are attached is nobody's concern. Who has the picture right has the textures right.
+
+#include "rubric_pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+using namespace deferred_rubric;
+
+namespace {
+
+/// A sampler of the reference's composition, and what it reads.
+constexpr std::pair<const char*, const char*> kKinds[] = {
+    {"uDiffuse", "diffuse light"}, {"uSpecular", "specular light"}, {"uAmbient", "ambient light"}};
+
+/// Stored light that is told from none.
+constexpr float kLeastLight = 4.0f / 255;
+
+/// Where objects are seen, edges left out.
+const Mask& objects(const SceneEvidence& scene, std::size_t frame) {
+  static std::map<std::pair<const SceneEvidence*, std::size_t>, Mask> known;
+  const auto [entry, fresh] = known.try_emplace({&scene, frame});
+  if (fresh) entry->second = erode(shown(scene.probes.at("objects").at(frame)), 1);
+  return entry->second;
+}
+
+Verdict window(const View& view) {
+  return picture(view, [&](std::size_t i) { return objects(view.scene, i); });
+}
+
+/// The textures that hold the kinds, and how right they are.
+struct Kinds {
+  Verdict verdict;
+  std::vector<const Texture*> textures;
+};
+
+Kinds kindsOf(const View& view) {
+  Kinds kinds;
+  double sum = 0;
+  for (const auto& [sampler, name] : kKinds) {
+    const Texture* right = wanted(view.scene, sampler);
+    if (!right) continue; // this scene has none
+    // Where there is such light; elsewhere any dark texture would do.
+    const Image none(right->image.width(), right->image.height(), 3);
+    const Mask lit = dilate(differenceMask(right->image, none, kLeastLight), 1);
+    const Match best =
+        bestMatch(view, *right, lit & objects(view.scene, 0), name,
+                  [](const Texture& texture) { return drewObjects(*texture.drawn.pass); });
+    sum += best.quality;
+    if (best.texture) kinds.textures.push_back(best.texture);
+    if (best.quality < 1)
+      kinds.verdict.message += (kinds.verdict.message.empty() ? "" : "; ") + best.message;
+    kinds.verdict.quality += 1;
+  }
+  kinds.verdict.quality = sum / std::max(kinds.verdict.quality, 1.0);
+  if (kinds.verdict.message.empty()) kinds.verdict.message = "all kinds of light are there";
+  return kinds;
+}
+
+GGRADE_ITEM("targets.kinds",
+            [](const View& view) { return passesOrPicture(kindsOf(view).verdict, window(view)); });
+
+GGRADE_PASS("targets.kinds", [](const View& view) -> std::vector<PassOutput> {
+  return outputOf(view, {"uDiffuse", "uSpecular", "uAmbient"});
+});
+
+GGRADE_ITEM("targets.once", [](const View& view) -> Verdict {
+  const Kinds kinds = kindsOf(view);
+  const bool once =
+      std::all_of(kinds.textures.begin(), kinds.textures.end(), [&](const Texture* texture) {
+        return texture->drawn.pass == kinds.textures.front()->drawn.pass;
+      });
+  if (!once) return {0, "the kinds of light come from different passes"};
+  return {kinds.verdict.quality, "one pass draws " + std::to_string(kinds.textures.size()) +
+                                     " textures; " + kinds.verdict.message};
+});
+
+GGRADE_ITEM("targets.compose", window);
+
+GGRADE_ITEM("targets.edges", [](const View& view) {
+  return picture(view, [&](std::size_t i) {
+    const Image& without = view.scene.probes.at("no edges").at(i);
+    return differenceMask(view.scene.reference.at(i), without, kTolerance);
+  });
+});
+
+GGRADE_ITEM("targets.bright", [](const View& view) {
+  const Verdict kept = picture(view, [&](std::size_t i) {
+    return differenceMask(view.scene.reference.at(i), view.scene.probes.at("8 bits").at(i),
+                          kTolerance);
+  });
+  return passesOrPicture(kindsOf(view).verdict, kept);
+});
+
+/// Share of the background that isn't what it was.
+double spoiled(const View& view, std::size_t frame, std::string& where) {
+  const Mask region = ~dilate(shown(view.scene.probes.at("objects").at(frame)), 2);
+  if (tooSmall(region)) return 0;
+  CompareOptions options;
+  options.mask = &region;
+  const Comparison comparison =
+      compare(view.frames.at(frame), view.scene.reference.at(frame), options);
+  where = fmt::format("{:.1f}% of the background differs{}", 100 * comparison.wrongShare,
+                      densestAt(comparison.densest));
+  return comparison.wrongShare;
+}
+
+GGRADE_ITEM("targets.keep_background", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    std::string where;
+    const double share = spoiled(view, i, where);
+    return {unharmed(share), where};
+  });
+});
+
+GGRADE_ITEM("targets.keep_state", [](const View& view) {
+  return laterFrames(view, [&](std::size_t i, std::string& where) {
+    const Comparison comparison = compare(view.frames.at(i), view.scene.reference.at(i));
+    where = fmt::format("{:.1f}% of the pixels differ{}", 100 * comparison.wrongShare,
+                        densestAt(comparison.densest));
+    return comparison.wrongShare;
+  });
+});
+
+} // namespace
