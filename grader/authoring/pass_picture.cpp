@@ -72,11 +72,14 @@ Image passPicture(const trace::Trace& trace, const nlohmann::json& wanted,
                   const std::string& name) {
   const bool light = wanted.value("light", false);
   std::vector<Image> images;
-  for (const auto& size : wanted.at("sizes")) {
-    const trace::CopyRecord& copy =
-        find(trace, wanted.at("attachment"), size.at(0), size.at(1), name);
-    images.push_back(light ? firstChannels(trace.image(copy), 3) : trace::picture(trace, copy).rgb);
-  }
+  const nlohmann::json& named = wanted.at("attachment");
+  const auto attachments = named.is_array() ? named : nlohmann::json::array({named});
+  for (const auto& size : wanted.at("sizes"))
+    for (const std::string attachment : attachments) {
+      const trace::CopyRecord& copy = find(trace, attachment, size.at(0), size.at(1), name);
+      images.push_back(light ? firstChannels(trace.image(copy), 3)
+                             : trace::picture(trace, copy).rgb);
+    }
   if (light) toDisplay(images);
 
   const int count = int(images.size());

@@ -46,17 +46,19 @@ GGRADE_ITEM("figure.picture", window);
 struct Wanted {
   const char* sampler;
   const char* name;
+  bool occluded = false; ///< does occlusion darken it?
 };
 
 /// The mean quality of the pictures that this scene has.
 Verdict pictures(const View& view, const std::vector<Wanted>& all) {
   double sum = 0, count = 0;
   std::string message;
-  for (const auto& [sampler, name] : all) {
+  for (const auto& [sampler, name, occluded] : all) {
     const Texture* right = wanted(view.scene, sampler);
     if (!right) continue;
-    const Match best =
-        bestMatch(view, *right, surfaces(view.scene), name, [](const Texture&) { return true; });
+    Mask region = surfaces(view.scene);
+    if (occluded) region = region & unoccluded(view, 0);
+    const Match best = bestMatch(view, *right, region, name, [](const Texture&) { return true; });
     sum += best.quality;
     ++count;
     if (best.quality < 1) message += (message.empty() ? "" : "; ") + best.message;
@@ -74,7 +76,7 @@ GGRADE_PASS("figure.gbuffer", [](const View& view) {
 });
 
 GGRADE_ITEM("figure.irradiance", [](const View& view) {
-  return pictures(view, {{"uIrradiance", "irradiance"}, {"uDiffuse", "diffuse light"}});
+  return pictures(view, {{"uIrradiance", "irradiance"}, {"uDiffuse", "diffuse light", true}});
 });
 
 GGRADE_PASS("figure.irradiance", [](const View& view) { return outputOf(view, {"uDiffuse"}); });
@@ -151,7 +153,7 @@ GGRADE_ITEM("figure.reflection", [](const View& view) {
 GGRADE_PASS("figure.reflection", [](const View& view) { return outputOf(view, {"uReflection"}); });
 
 GGRADE_ITEM("figure.composition", [](const View& view) {
-  return pictures(view, {{"uComposition", "composition"}});
+  return pictures(view, {{"uComposition", "composition", true}});
 });
 
 GGRADE_ITEM("figure.keep_state", [](const View& view) {

@@ -89,12 +89,24 @@ GGRADE_ITEM("targets.edges", [](const View& view) {
   });
 });
 
-GGRADE_ITEM("targets.bright", [](const View& view) {
-  const Verdict kept = picture(view, [&](std::size_t i) {
-    return differenceMask(view.scene.reference.at(i), view.scene.probes.at("8 bits").at(i),
-                          kTolerance);
-  });
-  return passesOrPicture(kindsOf(view).verdict, kept);
+/// Pixels whose light is above what 8 bits a channel hold.
+Mask aboveOne(const Image& image) {
+  Mask mask(image.width(), image.height());
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      mask.set(x, y, *std::ranges::max_element(image.pixel(x, y)) > 1 + 2 * kTolerance);
+  return mask;
+}
+
+GGRADE_ITEM("targets.bright", [](const View& view) -> Verdict {
+  const Texture& right = *wanted(view.scene, "uDiffuse");
+  const Match best = bestMatch(
+      view, right, aboveOne(right.image) & objects(view.scene, 0), "diffuse light above 1",
+      [](const Texture& texture) { return drewObjects(*texture.drawn.pass); });
+  const Mask matters =
+      differenceMask(view.scene.reference.at(0), view.scene.probes.at("8 bits").at(0), kTolerance);
+  if (tooSmall(matters)) return {best.quality, best.message};
+  return passesOrPicture({best.quality, best.message}, within(view, 0, matters, "window"));
 });
 
 /// Share of the background that isn't what it was.

@@ -267,6 +267,22 @@ TEST(PassPicture, StandsInRowsOfThreeAndTakesTheLastPassOfEachSize) {
     EXPECT_THAT(sheet.pixel(x, y), ElementsAre(1, 1, 1)) << x << ' ' << y;
 }
 
+// What one pass draws at once stands side by side.
+TEST(PassPicture, TakesSeveralAttachments) {
+  trace::Trace trace = trace::samples::mirror();
+  trace.passes[0].images[1] = trace::samples::texture(GL_RGBA32F, 2, 2);
+  trace::samples::addCopy<float>(trace, 0, 1, trace::PixelType::f32x4, 2, 2,
+                                 {0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1, 0, 1});
+  const Image first =
+      passPicture(trace, R"({"attachment": "color0", "sizes": [[2, 2]], "height": 2})");
+  const Image both =
+      passPicture(trace, R"({"attachment": ["color1", "color0"], "sizes": [[2, 2]], "height": 2})");
+  ASSERT_EQ(both.sizeText(), "8x2"); // 2 * 2 + 4
+  EXPECT_THAT(both.pixel(0, 0), ElementsAre(0, 1, 0));
+  EXPECT_THAT(both.pixel(3, 0), ElementsAre(1, 1, 1)); // the gap
+  EXPECT_EQ(both.at(7, 1, 0), first.at(1, 1, 0));
+}
+
 // The window's colours are the picture itself; its stencil is to be seen nowhere else.
 TEST(PassPicture, ShowsTheWindowsStencil) {
   trace::Trace trace = trace::samples::mirror();
