@@ -58,6 +58,12 @@ vec2 equirectangular(vec3 to) {
   return vec2(0.5 + atan(to.x, -to.z) / (2.0 * kPi), acos(clamp(to.y, -1.0, 1.0)) / kPi);
 }
 
-// Such a map's value. (textureLod: at the map's seam the coordinates jump, and a lookup that
-// chooses its level by their differences would draw a line there.)
-vec3 lookUp(sampler2D map, vec3 to) { return textureLod(map, equirectangular(to), 0.0).rgb; }
+// Such a map's value, linear between texels. Beyond the middle of the outermost row the map goes on
+// across the pole, on the other side: level ground faces the pole itself.
+// (textureLod: at the map's seam the coordinates jump, and a lookup that chooses its level by their
+// differences would draw a line there.)
+vec3 lookUp(sampler2D map, vec3 to) {
+  vec2 at = equirectangular(to);
+  float across = max(0.5 - min(at.y, 1.0 - at.y) * float(textureSize(map, 0).y), 0.0);
+  return mix(textureLod(map, at, 0.0).rgb, textureLod(map, at + vec2(0.5, 0), 0.0).rgb, across);
+}

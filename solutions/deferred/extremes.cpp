@@ -360,8 +360,8 @@ TEST(DeferredFigure, LevelGroundOccludesNothing) {
         darkest = std::min(darkest, double(open.at(x, y)));
         grey += open.at(x, y) < 1;
       }
-    EXPECT_GE(darkest, 0.8) << height;
-    EXPECT_LE(double(grey) / double(open.pixelCount()), 0.05) << height;
+    EXPECT_GE(darkest, 0.9) << height;
+    EXPECT_LE(double(grey) / double(open.pixelCount()), 0.02) << height;
   }
 }
 
