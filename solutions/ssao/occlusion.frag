@@ -35,11 +35,10 @@ mat3 frame(vec3 axis) {
 // May what is seen at `seen` keep light from `position`, or is it too far away? 1 to 0.
 float inRange(vec3 seen, vec3 position) {
   float range = 1.0;
-  // TODO(ssao.3): 1 where their distances along the eye's axis differ by no more than uRadius, and
-  //   smoothly less beyond.
+  // TODO(ssao.3): 1 up to uRadius away from each other, 0 from twice that, evenly less between.
   //   Expect: no dark seams around what stands before something far away.   (README.md, step 3)
   // BEGIN SOLUTION(ssao.3)
-  range = smoothstep(0.0, 1.0, uRadius / max(abs(seen.z - position.z), 1e-20));
+  range = clamp(2.0 - length(seen - position) / uRadius, 0.0, 1.0);
   // END SOLUTION(ssao.3)
   return range;
 }
@@ -84,7 +83,7 @@ float openByHorizons(vec3 position, vec3 normal) {
   // TODO(ssao.6): bonus: see the handout.
   //   Expect: the same picture, smoother and nearer to the truth, with "quality": { "method": 1 }.
   // BEGIN SOLUTION(ssao.6)
-  int slices = max(int(0.5 * sqrt(float(uSamples))), 1), steps = max(uSamples / (2 * slices), 1);
+  int slices = max(int(0.25 * sqrt(float(uSamples))), 1), steps = max(uSamples / (2 * slices), 1);
   vec3 toEye = -normalize(position);
   // The radius in pixels, as large as it would be if it were seen face on.
   float reach = 0.5 * uProjection[1][1] * float(textureSize(uDepth, 0).y) * uRadius / -position.z;
