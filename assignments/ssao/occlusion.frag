@@ -10,10 +10,10 @@ layout(location = 0) out float oOpen;
 
 const float kPi = 3.14159265;
 
-// A number for each pixel of a square of 4 x 4, from 0 to 15/16; neighbours' are far apart.
+// A number for each pixel of a square of 4 x 4, from 0 to 15/16.
 float dither() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) & 3;
-  return float((pixel.x + 4 * pixel.y) * 7 & 15) / 16.0;
+  return float(pixel.x + 4 * pixel.y) / 16.0;
 }
 
 // Point i of uSamples in the upper half of a ball of radius 1, z up. Directions are spread evenly
@@ -45,11 +45,11 @@ float openByPoints(vec3 position, vec3 normal) {
   float hidden = 0.0;
   // TODO(ssao.2): count the points that are.
   //   Given:  frame(normal), inHemisphere(i, dither()), uRadius, pixelOf(point), inWindow(pixel),
-  //           positionAt(pixel), inRange(seen, position).
+  //           covered(pixel), positionAt(pixel), inRange(seen, position).
   //   Do:     for each of the points position + uRadius * (frame * inHemisphere) that lies before
-  //           the eye (z < 0) and in the window: what is seen at its pixel hides it if that is
-  //           nearer to the eye, and above the surface: more than a hundredth of uRadius in the
-  //           normal's direction. Then add what inRange says.
+  //           the eye (z < 0), in the window and not over the background: what is seen at its pixel
+  //           hides it if that is nearer to the eye, and above the surface: more than a hundredth
+  //           of uRadius in the normal's direction. Then add what inRange says.
   //   Expect: dark and grainy where surfaces meet, with "debug": { "picture": 3 } and
   //           "quality": { "blur": 0 }.                                     (README.md, step 2)
   return 1.0 - hidden / float(uSamples);

@@ -40,7 +40,7 @@ std::string keptOut(double apart) {
 
 // ---- position, samples, range: the occlusion itself
 
-constexpr double kPointsFree = 0.2, kPointsGone = 0.8;
+constexpr double kPointsFree = 0.25, kPointsGone = 0.8;
 
 GGRADE_ITEM("ssao.position", [](const View& view) {
   Verdict verdict = within(view, 0, regionsOf(view.scene, 0).covered, "positions");
@@ -58,70 +58,113 @@ GGRADE_ITEM("ssao.samples", [](const View& view) -> Verdict {
   return {qualityOf(least, kPointsFree, kPointsGone), "the occlusion " + keptOut(least)};
 });
 
-/// Where a later pass may take its occlusion from: the first texture that is like the reference's.
-GGRADE_PASS("ssao.samples", [](const View& view) -> std::vector<PassOutput> {
+/// Less is open, and more than this too dark: a seam.
+constexpr float kOpen = 0.9f, kSeam = 0.06f;
+constexpr double kSeamsFree = 0.07, kSeamsGone = 0.16;
+
+/// The pixels that are open in the reference, and those of them that are too dark in `open`.
+struct Seams {
+  Mask open, dark;
+};
+Seams seams(const View& view, const Image& open) {
+  const Regions& regions = regionsOf(view.scene, 0);
+  const Image found = smoothed(open, regions.covered, 2);
+  const Image wanted = smoothed(regions.open, regions.covered, 2);
+  const Mask isOpen = regions.covered & ~below(wanted, kOpen);
+  Seams all{isOpen, isOpen};
+  for (int y = 0; y < open.height(); ++y)
+    for (int x = 0; x < open.width(); ++x)
+      all.dark.set(x, y, isOpen.at(x, y) && found.at(x, y) < wanted.at(x, y) - kSeam);
+  return all;
+}
+
+GGRADE_ITEM("ssao.range", [](const View& view) -> Verdict {
+  const Image open = shownOpen(view, 0);
+  const auto [wanted, dark] = seams(view, open);
+  // As a share of what lies near an edge, where seams are.
+  const Mask near = dilate(regionsOf(view.scene, 0).edges, 10) & wanted;
+  const double share =
+      double((dark & near).count()) / double(std::max<std::size_t>(near.count(), 1));
+  const double like = likeness(view, open);
+  return {qualityOf(like, 0.4, 1) * qualityOf(share, kSeamsFree, kSeamsGone),
+          fmt::format("{:.0f}% of the open surface near edges is too dark{}; the occlusion {}",
+                      100 * share, densestAt(densestWindow(dark)), keptOut(like))};
+});
+
+/// The first texture that a pass over the whole screen left: what is blurred.
+GGRADE_PASS("ssao.range", [](const View& view) -> std::vector<PassOutput> {
   const std::vector<Opening> all = openings(view);
   if (all.empty()) return {};
   return {{all.front().drawn.copy->pass, all.front().drawn.attachment}};
 });
 
-/// Less is open, and more than this too dark: a seam.
-constexpr float kOpen = 0.9f, kSeam = 0.06f;
-constexpr double kSeamsFree = 0.02, kSeamsGone = 0.2;
-
-/// Of the pixels that are open in the reference, the share that is too dark.
-Mask seams(const View& view, const Image& open) {
-  const Regions& regions = regionsOf(view.scene, 0);
-  const Image found = smoothed(open, regions.covered, 1);
-  Mask mask(open.width(), open.height());
-  for (int y = 0; y < open.height(); ++y)
-    for (int x = 0; x < open.width(); ++x)
-      mask.set(x, y,
-               regions.covered.at(x, y) && regions.open.at(x, y) > kOpen &&
-                   found.at(x, y) < regions.open.at(x, y) - kSeam);
-  return mask;
-}
-
-GGRADE_ITEM("ssao.range", [](const View& view) -> Verdict {
-  const Regions& regions = regionsOf(view.scene, 0);
-  const Image open = shownOpen(view, 0);
-  const Mask dark = seams(view, open);
-  // As a share of what lies near an edge, where seams are.
-  const Mask near = dilate(regions.edges, 10) & regions.covered & ~below(regions.open, kOpen);
-  const double share =
-      double((dark & near).count()) / double(std::max<std::size_t>(near.count(), 1));
-  const double like = qualityOf(likeness(view, open), 0.4, 1);
-  return {like * qualityOf(share, kSeamsFree, kSeamsGone),
-          fmt::format("{:.0f}% of the open surface near edges is too dark{}; the occlusion {}",
-                      100 * share, densestAt(densestWindow(dark)), keptOut(likeness(view, open)))};
-});
-
 // ---- blur
 
-constexpr double kBlurFree = 0.15, kBlurGone = 0.6;
+constexpr double kNoiseFree = 0.15, kNoiseGone = 0.4;
+constexpr double kEdgesFree = 0.13, kEdgesGone = 0.28;
 
-/// Pixel by pixel: noise counts, and so do edges that are lost.
-Verdict blurred(const View& view, std::size_t frame, const Image& open) {
-  const Regions& regions = regionsOf(view.scene, frame);
-  const double inside = apart(open, regions.open, regions.covered & ~regions.edges);
-  const double edges = apart(open, regions.open, regions.covered & regions.edges);
-  return {std::min(qualityOf(inside, kBlurFree, kBlurGone), qualityOf(edges, kBlurFree, kBlurGone)),
-          fmt::format("away from edges the occlusion {}, near them by {:.0f}%", keptOut(inside),
-                      100 * edges)};
+/// What a blur that keeps edges makes of it: the mean of the pixels nearby that show the same
+/// surface, by its normal and colour.
+Image blurredWell(const Image& open, const View& view) {
+  constexpr float kAlike = 16.0f / 255;
+  const int reach = view.scene.scene.at("quality").at("blur").get<int>();
+  const Image &normals = view.scene.probes.at("normals").at(0),
+              &colors = view.scene.probes.at("unoccluded").at(0);
+  const auto alike = [&](int x, int y, int u, int v) {
+    for (int c = 0; c < 3; ++c)
+      if (std::abs(normals.at(x, y, c) - normals.at(u, v, c)) > kAlike ||
+          std::abs(colors.at(x, y, c) - colors.at(u, v, c)) > kAlike)
+        return false;
+    return true;
+  };
+  Image out(open.width(), open.height(), 1);
+  for (int y = 0; y < open.height(); ++y)
+    for (int x = 0; x < open.width(); ++x) {
+      double sum = 0, count = 0;
+      for (int v = std::max(y - reach, 0); v <= std::min(y + reach, open.height() - 1); ++v)
+        for (int u = std::max(x - reach, 0); u <= std::min(x + reach, open.width() - 1); ++u)
+          if (alike(x, y, u, v)) sum += double(open.at(u, v)), ++count;
+      out.at(x, y) = float(sum / count);
+    }
+  return out;
 }
 
+/// Pixel by pixel: noise counts, and so do edges that are lost.
+Verdict blurred(const View& view, const Image& open, const Image& wanted) {
+  const Regions& regions = regionsOf(view.scene, 0);
+  const double noise = apart(open, wanted, regions.covered & ~regions.edges);
+  const double edges = apart(open, wanted, regions.covered & regions.edges);
+  return {
+      std::min(qualityOf(noise, kNoiseFree, kNoiseGone), qualityOf(edges, kEdgesFree, kEdgesGone)),
+      fmt::format("the occlusion differs from a blur by {:.0f}% of what it keeps out, near "
+                  "edges by {:.0f}%",
+                  100 * noise, 100 * edges)};
+}
+
+/// In the window or in any texture; as the reference's, or as a blur makes it of the submission's
+/// own noise.
 GGRADE_ITEM("ssao.blur", [](const View& view) {
-  Verdict verdict = blurred(view, 0, openInWindow(view, 0));
-  for (const Opening& opening : openings(view)) {
-    const Verdict one = blurred(view, 0, opening.open);
-    if (one.quality > verdict.quality) verdict = one;
+  const Regions& regions = regionsOf(view.scene, 0);
+  const std::vector<Opening> all = openings(view);
+  std::vector<Image> found = {openInWindow(view, 0)}, wanted = {regions.open};
+  for (const Opening& opening : all) found.push_back(opening.open);
+  if (!all.empty()) {
+    const Image own = blurredWell(all.front().open, view);
+    // Next to nothing has no noise to be removed.
+    if (apart(own, regions.open, regions.covered) < 0.7) wanted.push_back(own);
   }
-  return verdict;
+  Verdict best{-1, ""};
+  for (const Image& one : found)
+    for (const Image& goal : wanted) {
+      const Verdict verdict = blurred(view, one, goal);
+      if (verdict.quality > best.quality) best = verdict;
+    }
+  return best;
 });
 
 // ---- what the light makes of it
 
-constexpr double kLightFree = 0.08, kLightGone = 0.5;
+constexpr double kLightFree = 0.25, kLightGone = 0.8;
 /// Least difference that ambient light makes for a pixel to tell how much of it there is.
 constexpr float kLeastLight = 20.0f / 255;
 
@@ -132,12 +175,13 @@ Verdict applied(const View& view) {
                       differenceMask(view.scene.probes.at("unlit").at(0),
                                      view.scene.probes.at("unoccluded").at(0), kLeastLight);
   if (tooSmall(region)) return {0, "there is no ambient light to see it by"};
-  const Image found = openInWindow(view, 0);
-  double least = apart(found, regions.open, region);
+  constexpr int kReach = 2; // a texture may be coarser than the window
+  const Image found = smoothed(openInWindow(view, 0), region, kReach);
+  double least = apart(found, smoothed(regions.open, region, kReach), region);
   for (const Opening& opening : openings(view)) {
-    // It must keep out something to be followed: half of what the reference does.
-    if (apart(opening.open, regions.open, region) < 0.8)
-      least = std::min(least, apart(found, opening.open, region));
+    const Image own = smoothed(opening.open, region, kReach);
+    // It must keep out something to be followed.
+    if (apart(own, regions.open, region) < 0.8) least = std::min(least, apart(found, own, region));
   }
   return {qualityOf(least, kLightFree, kLightGone),
           fmt::format("the ambient light differs by {:.0f}% of what the occlusion keeps out",
