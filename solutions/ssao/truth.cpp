@@ -2,20 +2,21 @@
 // see.
 
 #include "truth/truth.hpp"
-#include "truth/scene.hpp"
+#include "truth/kept.hpp"
 #include "truth/ray.hpp"
+#include "truth/scene.hpp"
 
 #include <gg/mesh_data.hpp>
 #include <glm/geometric.hpp>
 
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <stdexcept>
 
 using namespace ggrade;
 using glm::dvec3;
 using nlohmann::json;
+using truth::aboutY;
 using truth::number;
 
 namespace {
@@ -24,11 +25,6 @@ namespace {
 constexpr int kRays = 256;
 /// With the truth above this a pixel counts as open: it doesn't take part in the first error.
 constexpr double kOpen = 0.9;
-
-dvec3 aboutY(const dvec3& v, double angle) {
-  const double c = std::cos(angle), s = std::sin(angle);
-  return {c * v.x + s * v.z, v.y, c * v.z - s * v.x};
-}
 
 /// A mesh as it stands in the world.
 struct Placed {
@@ -144,19 +140,6 @@ Traced trace(const truth::Rendered& rendered) {
   return traced;
 }
 
-/// The truth of the scenes that were asked for last. Not for several threads.
-const Traced& kept(const truth::Rendered& rendered) {
-  constexpr std::size_t kMost = 8;
-  static std::map<std::string, Traced> all;
-  json scene = rendered.scene;
-  scene.erase("quality");
-  const std::string key =
-      json::array({scene, rendered.time, rendered.window.width(), rendered.window.height()}).dump();
-  if (const auto found = all.find(key); found != all.end()) return found->second;
-  if (all.size() == kMost) all.clear();
-  return all[key] = trace(rendered);
-}
-
 /// Errors, of the occlusion as the window shows it (debug.picture 3), 0 to 1:
 ///   mean error where it is dark  mean of |found - wanted| over the pixels whose truth is below
 ///   0.9:
@@ -168,14 +151,14 @@ truth::Answer judge(const truth::Rendered& rendered) {
   if (rendered.scene.at("debug").at("picture").get<int>() != 3)
     throw std::invalid_argument(
         "the occlusion's truth looks at the occlusion: set debug.picture to 3");
-  const Traced& traced = kept(rendered);
+  const auto traced = truth::kept<Traced>(rendered, trace);
   double dark = 0, darkCount = 0, tooDark = 0, tooLight = 0, count = 0;
   Image difference(rendered.window.width(), rendered.window.height(), 3);
   for (int y = 0; y < difference.height(); ++y)
     for (int x = 0; x < difference.width(); ++x) {
-      if (!traced.covered[std::size_t(y) * std::size_t(difference.width()) + std::size_t(x)])
+      if (!traced->covered[std::size_t(y) * std::size_t(difference.width()) + std::size_t(x)])
         continue;
-      const double wanted = double(traced.open.at(x, y, 0));
+      const double wanted = double(traced->open.at(x, y, 0));
       const double apart = double(rendered.window.at(x, y, 0)) - wanted;
       ++count, (apart < 0 ? tooDark : tooLight) += std::abs(apart);
       if (wanted < kOpen) ++darkCount, dark += std::abs(apart);
@@ -188,7 +171,7 @@ truth::Answer judge(const truth::Rendered& rendered) {
                    {"mean error", share(tooDark + tooLight, count)},
                    {"mean too dark", share(tooDark, count)},
                    {"mean too light", share(tooLight, count)}};
-  answer.truth = traced.open;
+  answer.truth = traced->open;
   answer.rendered = firstChannels(rendered.window, 3);
   answer.difference = difference;
   return answer;
