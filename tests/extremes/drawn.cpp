@@ -104,13 +104,14 @@ Image Drawn::leftBy(std::uint32_t pass) const {
 }
 
 Drawn draw(const std::string& assignment, const json& scene, const std::vector<double>& times,
-           const std::vector<channel::PassPixels>& replacements) {
+           const std::vector<channel::PassPixels>& replacements,
+           const testing::Matcher<std::string>& prints) {
   grading::Rendering rendering = render(assignment, scene, times, replacements);
   const channel::Capture& capture = rendering.capture;
   EXPECT_EQ(rendering.happened.outcome, report::Outcome::graded) << rendering.happened.detail;
   for (const channel::CapturedMessage& message : capture.messages)
     if (message.kind != channel::MessageKind::capture) ADD_FAILURE() << message.text;
-  EXPECT_EQ(rendering.happened.output, "");
+  EXPECT_THAT(rendering.happened.output, prints);
   expectAllCopied(capture.trace);
 
   Drawn drawn;

@@ -6,6 +6,7 @@
 #include "grading/program.hpp"
 #include "image/image.hpp"
 
+#include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
 #include <string>
@@ -38,12 +39,14 @@ struct Drawn {
 
 /// Draws the assignment's solution, as it was built with the tests and trusted (not in the
 /// sandbox), one frame a time. Whatever the scene, it is a failure of the test unless every frame
-/// comes, GL and the program have nothing to say, and every texture that any pass of any frame
-/// wrote holds finite values only (the window and the other renderbuffers can hold no others). What
-/// `replacements` put in place may be anything.
+/// comes, GL has nothing to say and the program prints what it should, and every texture that any
+/// pass of any frame wrote holds finite values only (the window and the other renderbuffers can
+/// hold no others). What `replacements` put in place may be anything.
+///   prints: all that the program should write to stdout and stderr
 Drawn draw(const std::string& assignment, const json& scene,
            const std::vector<double>& times = {0.21},
-           const std::vector<ggrade::channel::PassPixels>& replacements = {});
+           const std::vector<ggrade::channel::PassPixels>& replacements = {},
+           const testing::Matcher<std::string>& prints = "");
 
 /// What the program says where it refuses a scene; a failure of the test if it draws instead.
 std::string refusal(const std::string& assignment, const json& scene);
