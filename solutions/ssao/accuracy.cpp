@@ -4,6 +4,7 @@
 
 #include "truth/truth.hpp"
 
+#include <glm/vec3.hpp>
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -39,6 +40,34 @@ protected:
 
 json settings(int method, int samples, int blur, int resolution = 1) {
   return {{"method", method}, {"samples", samples}, {"blur", blur}, {"resolution", resolution}};
+}
+
+/// Ground at the foot of a wall that is far higher and longer than the radius.
+///   x: distance to it, in radii
+/// Seen from above, directions weighed by the cosine fill a disc evenly; a direction that goes
+/// towards the wall by u is hidden by 1 - x / u from u = x on, over a chord of 2 sqrt(1 - u^2).
+double openBeforeAWall(double x) {
+  const double root = std::sqrt(1 - x * x);
+  const double chords = (std::acos(-1.0) / 2 - x * root - std::asin(x)) / 2;
+  const double weighed = x * (std::log((1 + root) / x) - root);
+  return 1 - 2 / std::acos(-1.0) * (chords - weighed);
+}
+
+TEST(SsaoTruthItself, IsRightBeforeAWall) {
+  // The back of the wide box: its middle, and the way away from it.
+  const double turn = 0.1, radius = 0.1;
+  const glm::dvec3 away(-std::sin(turn), 0, -std::cos(turn));
+  const glm::dvec3 middle = glm::dvec3(0.10, 0, -0.95) + 0.125 * away;
+  for (const double x : {0.02, 0.1, 0.3, 0.7, 1.5}) {
+    const glm::dvec3 point = middle + x * radius * away;
+    const json scene = extremes::sceneOf(
+        "ssao", {"ssao"},
+        {{"debug", {{"picture", 3}}},
+         {"ao", {{"radius", radius}}},
+         {"camera", {{"position", {point.x, 0.5, point.z}}, {"target", {point.x, 0, point.z}}}}});
+    const truth::Answer answer = truth::judgeOf("ssao")({scene, 0, Image(1, 1, 4), nullptr});
+    EXPECT_NEAR(answer.truth.at(0, 0), x < 1 ? openBeforeAWall(x) : 1, 0.005) << x;
+  }
 }
 
 /// Another view than the handout's, a larger radius.

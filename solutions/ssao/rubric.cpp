@@ -40,7 +40,7 @@ std::string keptOut(double apart) {
 
 // ---- position, samples, range: the occlusion itself
 
-constexpr double kPointsFree = 0.25, kPointsGone = 0.8;
+constexpr double kPointsFree = 0.25, kPointsGone = 0.42;
 
 GGRADE_ITEM("ssao.position", [](const View& view) {
   Verdict verdict = within(view, 0, regionsOf(view.scene, 0).covered, "positions");
@@ -101,7 +101,7 @@ GGRADE_PASS("ssao.range", [](const View& view) -> std::vector<PassOutput> {
 // ---- blur
 
 constexpr double kNoiseFree = 0.15, kNoiseGone = 0.4;
-constexpr double kEdgesFree = 0.13, kEdgesGone = 0.28;
+constexpr double kEdgesFree = 0.12, kEdgesGone = 0.23;
 
 /// What a blur that keeps edges makes of it: the mean of the pixels nearby that show the same
 /// surface, by its normal and colour.
