@@ -90,7 +90,9 @@ TEST_P(SparedTextures, ChangesNotOneBit) {
   EXPECT_EQ(drawnTextures(lean.trace), spared.textures);
   EXPECT_EQ(drawnTextures(all.trace), std::string(spared.part) == "targets" ? 3u : 12u);
   const auto bytes = [](const Drawn& drawn) { return drawn.trace.frames[0].imageBytes; };
-  if (spared.textures < drawnTextures(all.trace)) EXPECT_LT(bytes(lean), bytes(all));
+  if (spared.textures < drawnTextures(all.trace)) {
+    EXPECT_LT(bytes(lean), bytes(all));
+  }
 }
 
 class BothParts : public testing::TestWithParam<const char*> {};

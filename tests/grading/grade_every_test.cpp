@@ -80,7 +80,9 @@ TEST_P(Every, StepEarnsNoLessThanTheOneBefore) {
     EXPECT_GE(graded.bonus(), bonus) << "step " << k;
     score = graded.score();
     bonus = graded.bonus();
-    if (k == required) EXPECT_EQ(score, points()) << "step " << k;
+    if (k == required) {
+      EXPECT_EQ(score, points()) << "step " << k;
+    }
   }
   EXPECT_EQ(bonus, bonusPoints());
 }

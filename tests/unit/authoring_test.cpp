@@ -186,8 +186,9 @@ TEST(Handouts, SayThePointsOfEveryItemAndTheWeightOfEveryPart) {
       }
       std::ostringstream weight;
       weight << " | " << 100 * part.weight << " | ";
-      if (!alone)
+      if (!alone) {
         EXPECT_THAT(rowWith(overview, "](" + part.id + ".md)"), testing::HasSubstr(weight.str()));
+      }
       for (const Todo& todo : part.todos) {
         const std::string number = todo.id.substr(todo.id.find('.') + 1);
         EXPECT_THAT(handout, testing::HasSubstr("\n## Step " + number)) << todo.id;
