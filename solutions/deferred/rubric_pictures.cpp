@@ -63,4 +63,19 @@ Verdict passesOrPicture(const Verdict& passes, const Verdict& picture) {
   return {picture.quality, passes.message + "; but the picture counts: " + picture.message};
 }
 
+Verdict sameAgain(const View& view) {
+  // What noise may differ, and at which share nothing is left: the same program draws the same.
+  constexpr double kNoise = 0.001, kAllLeft = 0.01;
+  const rubric::Frames& reference = view.scene.reference;
+  for (std::size_t i = view.frames.size() - 1; i > 0; --i) {
+    if (compare(reference[i], reference[0]).wrongPixels > 0) continue;
+    const Comparison changed = compare(view.frames[i], view.frames[0]);
+    return {1 - std::clamp((changed.wrongShare - kNoise) / kAllLeft, 0.0, 1.0),
+            fmt::format("frame {}, with everything where it was in frame 1: {:.1f}% of the pixels "
+                        "have changed{}",
+                        i + 1, 100 * changed.wrongShare, densestAt(changed.densest))};
+  }
+  return {1, "nothing is where it was again"};
+}
+
 } // namespace deferred_rubric

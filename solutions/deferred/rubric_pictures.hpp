@@ -70,4 +70,8 @@ inline constexpr double kRightPicture = 0.9;
 /// What the passes show, or the picture if that is right.
 Verdict passesOrPicture(const Verdict& passes, const Verdict& picture);
 
+/// Is a later frame that must be the very same as the first one the same? The program is compared
+/// with itself, whatever it shows.
+Verdict sameAgain(const View& view);
+
 } // namespace deferred_rubric
