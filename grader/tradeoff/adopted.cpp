@@ -13,6 +13,10 @@ namespace {
 const std::string kHidden = "–";
 constexpr double kWorstFit = 0.4;
 
+std::string costText(double ms) {
+  return ms > 0 ? msText(ms) : kHidden;
+}
+
 constexpr const char* kPresets[] = {"fast", "balanced", "accurate", "reference"};
 
 /// The page's colours on white: no page stands around the chart.
@@ -41,7 +45,7 @@ std::string sweepText(const json& sweep) {
   for (const char* preset : kPresets) {
     if (!sweep.at("presets").contains(preset)) continue;
     const json& row = sweep.at("presets").at(preset);
-    text += fmt::format("| {} | {} | {} | {} |\n", preset, msText(row.at("ms")),
+    text += fmt::format("| {} | {} | {} | {} |\n", preset, costText(row.at("ms")),
                         errorText(row.at("errors").at(error)), settingCell(row.at("setting")));
   }
   text += fmt::format("\n![Time against {} of {} settings](handout/{})\n\n", error,
@@ -65,7 +69,7 @@ std::string growthTable(const json& growth) {
     for (std::size_t i = 0; i < row.at("values").size(); ++i) {
       const double ms = row.at("ms")[i];
       costs += fmt::format("{}{:.0f}: {}", i == 0 ? "" : ", ", row.at("values")[i].get<double>(),
-                           ms > 0 ? msText(ms) : kHidden);
+                           costText(ms));
       hidden = hidden || ms <= 0;
     }
     text += fmt::format("| {} | {} | {} | {} |\n", row.at("part").get<std::string>(),
