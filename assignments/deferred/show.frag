@@ -22,11 +22,11 @@ void main() {
   vec2 all = vec2(at.x, 1.0 - at.y); // of a map of all directions: +y is on top
   vec3 color = vec3(0);
   if (uPicture == 1 && covered(pixel)) color = 0.5 + 0.5 * normalAt(pixel);
-  if (uPicture == 2) color = display(textureLod(uIrradianceMap, all, 0.0).rgb / kPi);
+  if (uPicture == 2) color = display(textureLod(uIrradianceMap, all, 0.0).rgb / (2.0 * kPi));
   if (uPicture == 3) color = display(vec3(distanceAt(pixel) - uRange.x) / (uRange.y - uRange.x));
-  if (uPicture == 4) color = display(texelFetch(uIrradiance, pixel, 0).rgb / kPi);
+  if (uPicture == 4) color = display(texelFetch(uIrradiance, pixel, 0).rgb / (2.0 * kPi));
   if (uPicture == 5) color = texelFetch(uOcclusion, pixel, 0).rrr;
-  if (uPicture == 6) color = display(texelFetch(uOccluded, pixel, 0).rgb / kPi);
+  if (uPicture == 6) color = display(texelFetch(uOccluded, pixel, 0).rgb / (2.0 * kPi));
   if (uPicture == 7) color = display(texelFetch(uAlbedo, pixel, 0).rgb);
   if (uPicture == 8) color = display(texelFetch(uDiffuse, pixel, 0).rgb);
   if (uPicture == 9 && covered(pixel)) color = 0.5 + 0.5 * decode(texelFetch(uReflected, pixel, 0));

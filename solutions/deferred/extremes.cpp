@@ -161,10 +161,10 @@ TEST_P(BothParts, ATinyAndAHugeWorldLookTheSame) {
 }
 
 TEST_P(BothParts, TenThousandObjects) {
-  const json ring = {{"count", 10000}, {"scale", 0.3}};
-  const Image many = first(GetParam(), {{"size", {48, 36}}, {"ring", ring}});
-  EXPECT_GT(differing(many, first(GetParam(), {{"size", {48, 36}}, {"ring", {{"count", 0}}}})),
-            0.1);
+  json scene = {{"size", {48, 36}}, {"mesh", "box"}, {"ring", {{"count", 10000}, {"scale", 0.3}}}};
+  const Image many = first(GetParam(), scene);
+  scene["ring"]["count"] = 0;
+  EXPECT_GT(differing(many, first(GetParam(), scene)), 0.1);
 }
 
 TEST_P(BothParts, AnEyeBelowTheGround) {

@@ -13,7 +13,7 @@ struct Objects {
 
 // A sphere that stands on y = 0, 1 high. The normals are those of the true sphere.
 inline gg::MeshData sphere() {
-  constexpr std::uint32_t kColumns = 64, kRows = 32;
+  constexpr std::uint32_t kColumns = 48, kRows = 24;
   gg::MeshData mesh;
   for (std::uint32_t row = 0; row <= kRows; ++row)
     for (std::uint32_t column = 0; column <= kColumns; ++column) {
