@@ -27,8 +27,10 @@ struct Example {
   bool solution = false;
 };
 
+/// None for an assignment without an examples folder.
 std::vector<Example> examples(const Assignment& assignment, const fs::path& solutions) {
   std::vector<Example> all;
+  if (!fs::exists(solutions / "examples")) return all;
   std::vector<std::string> targets;
   for (const Part& part : assignment.parts) targets.push_back(part.id);
   if (targets.size() > 1) targets.push_back(assignment.id);
@@ -37,8 +39,7 @@ std::vector<Example> examples(const Assignment& assignment, const fs::path& solu
     all.push_back({target + "-stub", target, "graded", {}, assignment.folder, false});
   }
   std::vector<fs::path> patches;
-  std::error_code none;
-  for (const auto& entry : fs::directory_iterator(solutions / "examples", none))
+  for (const auto& entry : fs::directory_iterator(solutions / "examples"))
     if (entry.path().extension() == ".patch") patches.push_back(entry.path());
   std::sort(patches.begin(), patches.end());
   for (const fs::path& patch : patches) {

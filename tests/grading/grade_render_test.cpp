@@ -402,17 +402,18 @@ TEST(Commands, DemoShowsEveryExampleAsItMustEnd) {
   EXPECT_EQ(ended.exitCode, 0) << ended.errors;
   const std::string page = read(folder.path() / "demo/index.html");
   std::vector<std::pair<std::string, std::string>> expected;
-  for (const std::string part : {"mirror", "shadow", "bloom", "floor"}) {
+  for (const std::string part : {"mirror", "shadow", "bloom", "floor", "shadow_volume"}) {
     expected.emplace_back(part + "-reference", "graded");
     expected.emplace_back(part + "-stub", "graded");
   }
-  for (const std::string& name : names(kSource / "solutions/floor/examples")) {
-    const std::string text = read(kSource / "solutions/floor/examples" / name);
-    const std::size_t at = text.find("Outcome: ") + 9;
-    expected.emplace_back(name.substr(0, name.find('.')),
-                          text.substr(at, text.find('\n', at) - at));
-  }
-  EXPECT_GE(expected.size(), 16u);
+  for (const fs::path examples : {"solutions/floor/examples", "solutions/shadow_volume/examples"})
+    for (const std::string& name : names(kSource / examples)) {
+      const std::string text = read(kSource / examples / name);
+      const std::size_t at = text.find("Outcome: ") + 9;
+      expected.emplace_back(name.substr(0, name.find('.')),
+                            text.substr(at, text.find('\n', at) - at));
+    }
+  EXPECT_GE(expected.size(), 28u);
   for (const auto& [name, outcome] : expected) {
     EXPECT_THAT(ended.out, ContainsRegex(name + " .*" + outcome)) << name;
     EXPECT_NE(page.find(name + "/index.html"), page.npos) << name;
