@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -218,15 +217,16 @@ std::string ring(int around, int across) {
 }
 
 TEST(ShadowVolume, AMillionTriangles) {
-  const auto start = std::chrono::steady_clock::now();
+#ifdef __SANITIZE_ADDRESS__
+  const Caster caster(ring(200, 100)); // sanitized, a million would take more time than a run has
+#else
   const Caster caster(ring(1000, 500));
+#endif
   const Drawn drawn = draw("shadow_volume", caster.scene, {0});
   const Counts counts = countsOf(caster.scene, 0, drawn.frames.at(0));
   EXPECT_GT(counts.lit, 3000u);
   EXPECT_GT(counts.dark, 200u);
   EXPECT_LE(counts.wrong(), counts.judged() / 1000) << "of " << counts.judged();
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  RecordProperty("seconds", std::to_string(took.count()));
 }
 
 } // namespace
