@@ -2,16 +2,20 @@
 // the surfaces are like, into several textures at once; from these the picture is made.
 //
 // The passes of one frame, each drawn only if the scene can show it. Part targets:
-//   light        the objects' diffuse, specular and ambient light   -> three textures
-//   compose      their sum, the diffuse edges emphasised            -> the window
-// Part figure:
-//   G-buffer     albedo, normal, identifiers, depth of the objects  -> four textures
-//   irradiance   what falls on each pixel's surface                 -> a texture, as all that
-//   follow occlusion    how much of the half space above it is open occluded     the product of the
-//   two diffuse      times the albedo: what the surfaces scatter reflected    the direction of
-//   view, mirrored Fresnel      how much is mirrored reflection   times the environment in that
-//   direction composition  the sum, and the environment behind it show         a picture, most
-//   often the composition              -> the window
+//   - light: the objects' diffuse, specular and ambient light, into three textures
+//   - compose: their sum, the diffuse edges emphasised, into the window
+//
+// Part figure, each pass into its own textures but for the last one:
+//   - G-buffer: albedo, normal, identifiers and depth of the objects
+//   - irradiance: what falls on each pixel's surface
+//   - occlusion: how much of the half space above it is open
+//   - occluded: the product of the two
+//   - diffuse: that times the albedo, what the surfaces scatter
+//   - reflected: the direction of view, mirrored
+//   - Fresnel: how much is mirrored
+//   - reflection: that times the environment in the mirrored direction
+//   - composition: the sum, and the environment behind it
+//   - show: a picture, most often the composition, into the window
 
 #include "figure.hpp"
 #include "targets.hpp"
@@ -108,8 +112,7 @@ void app(const gg::Scene& scene) {
       // TODO(figure.1): draw into the G-buffer instead of the window.
       //   Given:  `figure`. The lines below clear the first colour buffer to black, and the depth,
       //           of whatever is bound.
-      //   Do:     bind its framebuffer object. Clear the normals to 0, and the identifiers to 0,
-      //   too:
+      //   Do:     bind its framebuffer object. Clear the normals to 0, and the identifiers, too:
       //           they are whole numbers, so with glClearBufferuiv. After the objects, bind the
       //           window (0), and with the depth test off draw the other pictures and show one:
       //           drawPasses(), showPicture(); then switch the depth test on again.

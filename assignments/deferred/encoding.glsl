@@ -1,5 +1,5 @@
 // How directions are kept in a texture: quality.normal.
-//   0 as they are (half floats)     1, 3 octahedral, two numbers (16, 8 bits)
+//   0 as they are (floats)          1, 3 octahedral, two numbers (16, 8 bits)
 //   2 (direction + 1) / 2 (10 bits)
 
 #include "gg/lighting.glsl" // direction()

@@ -156,6 +156,25 @@ inline EnvironmentMap irradianceMap(const Sky& sky, int degree, int width) {
   });
 }
 
+// The light of a map in one of fewer texels, for irradiance: each texel's light goes to the texel
+// that its middle lies in. None is lost, but even light comes out uneven.
+//   width: even, at least 2
+inline EnvironmentMap coarser(const EnvironmentMap& map, int width) {
+  EnvironmentMap made{width, width / 2, {}};
+  std::vector<glm::dvec3> sums(std::size_t(made.width) * std::size_t(made.height));
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x) {
+      const int u = int((x + 0.5) / map.width * made.width);
+      const int v = int((y + 0.5) / map.height * made.height);
+      sums[std::size_t(v) * std::size_t(made.width) + std::size_t(u)] +=
+          solidAngle(map, y) *
+          glm::dvec3(map.texels[std::size_t(y) * std::size_t(map.width) + std::size_t(x)]);
+    }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    made.texels.emplace_back(sums[i] / solidAngle(made, int(i) / made.width));
+  return made;
+}
+
 // The same of any environment, by brute force: width^2 / 2 times the texels of `map`.
 inline EnvironmentMap irradianceMap(const EnvironmentMap& map, int width) {
   const std::vector<Lamp> all = lamps(map);

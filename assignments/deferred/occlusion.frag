@@ -44,9 +44,10 @@ void main() {
     // TODO(figure.4): how many of uSamples points about `position` are hidden behind something?
     //   Given:  position, own, turned, uRadius; inHemisphere(i), pixelOf(point), inPicture(pixel).
     //   Do:     point = position + uRadius * (turned * inHemisphere(i)). It is hidden if it is in
-    //           the picture, another pixel than here(), the surface seen there is nearer to the eye
-    //           than the point (by more than 2% of uRadius: depths are rounded), and its distance
-    //           differs from `own` by less than uRadius. open = 1 - hidden / uSamples.
+    //           the picture, another pixel than here(), covered, and the surface seen there is
+    //           nearer to the eye than the point (by more than 2% of uRadius: depths are rounded),
+    //           at a distance that differs from `own` by less than uRadius.
+    //           open = 1 - hidden / uSamples.
     //   Expect: dark creases.                                              (figure.md, step 4)
   }
   oOpen = open;

@@ -1,6 +1,7 @@
 // The environment as textures: what comes from every direction, and what falls on every normal.
 #pragma once
 
+#include "hdr.hpp"
 #include "irradiance.hpp"
 
 #include <gg/gg.hpp>
@@ -37,17 +38,27 @@ inline void loadMap(GLuint texture, const EnvironmentMap& map, GLenum format) {
 }
 
 // Makes both, the second one if anything in the scene scatters light.
+// Throws gg::FileError for a file that is no environment.
 inline void makeEnvironment(Environment& environment, const gg::Scene& scene, bool scatters) {
-  const Sky sky = skyOf(scene);
+  const std::string file = scene.text("sky.file");
   const GLenum format = scene.integer("quality.format") == 2 ? GL_RGB32F : GL_RGB16F;
+  const int width = 2 * scene.integer("quality.irradiance_height");
+  constexpr int kSummed = 256; // texels in a row of a map that is summed up for each normal
+  if (!file.empty()) {
+    const EnvironmentMap map = loadEnvironment(file);
+    loadMap(environment.radiance, map, format);
+    if (!scatters) return;
+    const EnvironmentMap summed = map.width > kSummed ? coarser(map, kSummed) : map;
+    return loadMap(environment.irradiance, irradianceMap(summed, width), format);
+  }
+  const Sky sky = skyOf(scene);
   loadMap(environment.radiance,
           environmentMap(sky, 2 * scene.integer("quality.environment_height")), format);
   if (!scatters) return;
-  const int width = 2 * scene.integer("quality.irradiance_height");
   constexpr int kDegrees[] = {2, 4};
   const int method = scene.integer("quality.irradiance");
   loadMap(environment.irradiance,
           method < 2 ? irradianceMap(sky, kDegrees[method], width)
-                     : irradianceMap(environmentMap(sky, 256), width),
+                     : irradianceMap(environmentMap(sky, kSummed), width),
           format);
 }

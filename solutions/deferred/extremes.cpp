@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
 #include <numbers>
 
 using namespace extremes;
@@ -334,6 +335,52 @@ TEST(DeferredFigure, AnyHeightOfTheSun) {
 
 TEST(DeferredFigure, MapsOfOneTexel) {
   first("figure", {{"quality", {{"environment_height", 1}, {"irradiance_height", 1}}}});
+}
+
+/// Three mantissas and one exponent, rounded down as a reader expects it (Ward 1991).
+std::string realPixels(const EnvironmentMap& map) {
+  std::string text = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y " + std::to_string(map.height) +
+                     " +X " + std::to_string(map.width) + "\n";
+  for (const glm::vec3& light : map.texels) {
+    int exponent = 0;
+    std::frexp(std::max({light.x, light.y, light.z}), &exponent);
+    for (const float value : {light.x, light.y, light.z})
+      text += static_cast<char>(std::uint8_t(std::ldexp(value, 8 - exponent)));
+    text += static_cast<char>(std::uint8_t(exponent + 128));
+  }
+  return text;
+}
+
+/// The sky that the program would make, taken from a file: one larger than is summed up.
+TEST(DeferredFigure, AnEnvironmentFromAFileLightsTheSame) {
+  Sky sky;
+  sky.sunDirection = glm::vec3(glm::normalize(glm::dvec3(3, 5, 4)));
+  const std::string file = testing::TempDir() + "ggrade_sky.hdr";
+  std::ofstream(file, std::ios::binary) << realPixels(environmentMap(sky, 512));
+  const json patch = {{"light", {{"position", {3, 5, 4}}}},
+                      {"quality", {{"environment_height", 256}, {"irradiance", 2}}}};
+  json fromFile = patch;
+  fromFile["sky"] = {{"file", file}, {"brightness", 0}};
+  const Image wanted = first("figure", patch), found = first("figure", fromFile);
+  EXPECT_LE(differing(wanted, found, 3.01f / 255), 0.001);
+  fromFile["sky"]["file"] = "";
+  EXPECT_GT(differing(wanted, first("figure", fromFile), 3.01f / 255), 0.5);
+}
+
+TEST(DeferredFigure, AFileThatIsNoEnvironmentIsRefused) {
+  EXPECT_THAT(refusal("deferred", small("figure", {{"sky", {{"file", "no_such.hdr"}}}})),
+              testing::HasSubstr("no_such.hdr"));
+}
+
+/// Where the far plane cuts a level ground off, the background behind it hides nothing.
+TEST(DeferredFigure, BeyondTheFarPlaneNothingIsHidden) {
+  const json patch = {{"size", {160, 120}},
+                      {"ring", {{"count", 0}}},
+                      {"camera", {{"position", {0, 1, 7}}, {"target", {0, 0, 0}}, {"far", 8}}},
+                      {"debug", {{"picture", 5}}}};
+  const Image open = first("figure", patch);
+  for (int y = 0; y < open.height(); ++y)
+    for (int x = 0; x < open.width(); ++x) ASSERT_GE(open.at(x, y), 0.9f) << x << ' ' << y;
 }
 
 /// Below a pixel's size there is nothing to be seen.

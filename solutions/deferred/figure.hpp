@@ -52,7 +52,8 @@ struct Figure {
 
 // What directions are stored in: quality.normal, see encoding.glsl.
 inline GLenum directionFormat(const gg::Scene& scene) {
-  constexpr GLenum formats[] = {GL_RGBA16F, GL_RG16, GL_RGB10_A2, GL_RG8};
+  const GLenum floats = scene.integer("quality.format") == 2 ? GL_RGBA32F : GL_RGBA16F;
+  const GLenum formats[] = {floats, GL_RG16, GL_RGB10_A2, GL_RG8};
   return formats[scene.integer("quality.normal")];
 }
 

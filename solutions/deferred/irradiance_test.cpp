@@ -303,4 +303,21 @@ TEST(Irradiance, MapsAreLookedUpAsTheEnvironmentIs) {
   }
 }
 
+// What a map loses when it is summed up in fewer texels, the sun in one of them.
+TEST(Irradiance, ACoarserMapGivesAsMuch) {
+  const EnvironmentMap fine = environmentMap(Sky(), 600);
+  const EnvironmentMap coarse = coarser(fine, 256);
+  ASSERT_EQ(coarse.texels.size(), 256u * 128);
+  dvec3 all(0), left(0);
+  for (std::size_t i = 0; i < fine.texels.size(); ++i)
+    all += solidAngle(fine, int(i) / 600) * dvec3(fine.texels[i]);
+  for (std::size_t i = 0; i < coarse.texels.size(); ++i)
+    left += solidAngle(coarse, int(i) / 256) * dvec3(coarse.texels[i]);
+  EXPECT_LT(glm::length(all - left), 1e-5 * glm::length(all));
+  const std::vector<Lamp> lampsOfIt = lamps(coarse);
+  EXPECT_LT(
+      Definition(Sky()).error([&](const vec3& normal) { return irradiance(lampsOfIt, normal); }),
+      0.01);
+}
+
 } // namespace
