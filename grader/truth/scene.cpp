@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace ggrade::truth {
 
@@ -76,6 +77,10 @@ bool continues(const Surface& a, const Surface& b) {
   if (a.id < 0) return true;
   const dvec3 step = b.position - a.position;
   return std::abs(glm::dot(a.normal, step)) <= 0.9 * glm::length(step);
+}
+
+bool isSmooth(const Surface& a, const Surface& b) {
+  return continues(a, b) && (a.id < 0 || glm::dot(a.normal, b.normal) > std::numbers::sqrt2 / 2);
 }
 
 Objects::Objects(std::vector<Object> objects) : rays_(raysOf(objects)) {

@@ -61,6 +61,9 @@ struct Surface {
 /// Do two neighbouring pixels show the same smooth piece of a surface?
 bool continues(const Surface& a, const Surface& b);
 
+/// The same, without an edge between them: their normals are less than 45 degrees apart.
+bool isSmooth(const Surface& a, const Surface& b);
+
 /// Meshes with normals at their vertices, all in world space.
 class Objects {
 public:

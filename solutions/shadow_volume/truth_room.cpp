@@ -25,12 +25,6 @@ struct Block {
 const Block kShort = {{{{130, 65}, {82, 225}, {240, 272}, {290, 114}}}, 165};
 const Block kTall = {{{{423, 247}, {265, 296}, {314, 456}, {472, 406}}}, 330};
 
-/// Do two neighbouring pixels show one smooth piece of a surface, without an edge between them?
-bool isSmooth(const Surface& a, const Surface& b) {
-  return truth::continues(a, b) &&
-         (a.id == kNothing || glm::dot(a.normal, b.normal) > std::numbers::sqrt2 / 2);
-}
-
 /// Adds a face of four corners, each with its normal, counterclockwise from the front.
 void addFace(truth::Objects::Object& object, const std::array<dvec3, 4>& corners) {
   const auto first = std::uint32_t(object.triangles.positions.size());
@@ -201,7 +195,7 @@ Shadows shadowsOf(const truth::Rendered& rendered) {
       Point& here = made.points[index(x, y)];
       for (int v = std::max(y - 1, 0); v <= std::min(y + 1, room.height - 1); ++v)
         for (int u = std::max(x - 1, 0); u <= std::min(x + 1, room.width - 1); ++u)
-          if (!isSmooth(all[index(x, y)], all[index(u, v)]) ||
+          if (!truth::isSmooth(all[index(x, y)], all[index(u, v)]) ||
               made.points[index(u, v)].isAverted != here.isAverted ||
               made.points[index(u, v)].inShadow != here.inShadow)
             here.counts = false;
