@@ -1,22 +1,16 @@
 #include <gg/debug.hpp>
 
-#include <cstdio>
-#include <set>
+#include <cstdlib>
 #include <string>
+#include <string_view>
 
+#include "doctor_state.hpp"
+#include "print_once.hpp"
 #include <gg/gl.hpp>
 
 namespace gg {
 
 namespace {
-
-// A message that comes every frame is news once.
-void printOnce(const std::string& text) {
-  constexpr std::size_t kMost = 100;
-  static std::set<std::string> printed;
-  if (printed.size() < kMost && printed.insert(text).second)
-    std::fprintf(stderr, "OpenGL: %s\n", text.c_str());
-}
 
 bool sinkInstalled = false;
 
@@ -41,34 +35,24 @@ void GLAD_API_PTR receive(GLenum source, GLenum type, GLuint, GLenum severity, G
   std::string text =
       length < 0 ? std::string(message) : std::string(message, static_cast<std::size_t>(length));
   while (!text.empty() && (text.back() == '\n' || text.back() == '\0')) text.pop_back();
-  printOnce((type == GL_DEBUG_TYPE_ERROR ? "error: " : "warning: ") + text);
-}
-
-const char* errorName(GLenum error) {
-  switch (error) {
-  case GL_INVALID_ENUM:
-    return "GL_INVALID_ENUM (a constant that the function doesn't know)";
-  case GL_INVALID_VALUE:
-    return "GL_INVALID_VALUE (a number out of range)";
-  case GL_INVALID_OPERATION:
-    return "GL_INVALID_OPERATION (not allowed in the present state)";
-  case GL_INVALID_FRAMEBUFFER_OPERATION:
-    return "GL_INVALID_FRAMEBUFFER_OPERATION (the framebuffer object is not complete)";
-  case GL_OUT_OF_MEMORY:
-    return "GL_OUT_OF_MEMORY";
-  default:
-    return "an unknown error";
-  }
+  detail::printOnce((type == GL_DEBUG_TYPE_ERROR ? "OpenGL: error: " : "OpenGL: warning: ") + text +
+                    detail::lastPlace());
 }
 
 } // namespace
 
 void installDebugSink() {
-  sinkInstalled = GLAD_GL_KHR_debug != 0 && glDebugMessageCallback != nullptr;
+  const char* setting = std::getenv("GG_DEBUG_OUTPUT");
+  const bool wanted = setting == nullptr || std::string_view(setting) != "0";
+  sinkInstalled = wanted && GLAD_GL_KHR_debug != 0 && glad_glDebugMessageCallback != nullptr;
   if (!sinkInstalled) return;
   glEnable(GL_DEBUG_OUTPUT);
   glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   glDebugMessageCallback(receive, nullptr);
+}
+
+bool hasDebugSink() {
+  return sinkInstalled;
 }
 
 void reportErrors(const char* where) {
@@ -77,7 +61,7 @@ void reportErrors(const char* where) {
   for (int i = 0; i < kMost; ++i) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
-    printOnce(std::string("error: ") + errorName(error) + " in " + where);
+    detail::printOnce(std::string("OpenGL: error: ") + detail::errorName(error) + " in " + where);
   }
 }
 

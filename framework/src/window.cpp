@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "doctor.hpp"
+#include "print_once.hpp"
+
 #include <gg/debug.hpp>
 #include <gg/error.hpp>
 
@@ -79,7 +82,10 @@ Window::Window(const std::string& title, const glm::ivec2& size) {
     throw;
   }
   ++windows;
+  detail::forgetPrinted();
   installDebugSink();
+  detail::watchFrame();
+  firstFrame_ = std::make_unique<detail::FirstFrameWatch>();
   glfwSwapInterval(1);
   glfwSetKeyCallback(window_, closeOnEscape);
   glfwSetFramebufferSizeCallback(window_, followSize);
@@ -97,6 +103,8 @@ Window::operator bool() const {
 
 void Window::swapBuffers() {
   reportErrors("this frame");
+  firstFrame_->shown();
+  detail::frameEnds({width(), height()});
   glfwSwapBuffers(window_);
   glfwPollEvents();
 }

@@ -29,7 +29,10 @@ constexpr double kBuildSeconds = 30;
 /// core. Shaders are compiled without LLVM's optimisations (`nopt`): our scenes are small, and
 /// compiling is most of a first run (0.27 instead of 0.39 s; later ones are as fast as before).
 const std::vector<std::pair<std::string, std::string>> kPins = {
-    {"LP_NUM_THREADS", "0"}, {"GALLIUM_OVERRIDE_CPU_CAPS", "avx"}, {"GALLIVM_PERF", "nopt"}};
+    {"LP_NUM_THREADS", "0"},
+    {"GALLIUM_OVERRIDE_CPU_CAPS", "avx"},
+    {"GALLIVM_PERF", "nopt"},
+    {"GG_DOCTOR", "0"}};
 
 /// Where things are seen from within a run: the host's own paths without a sandbox.
 struct Places {

@@ -14,6 +14,7 @@ protected:
     glfwWindowHint(GLFW_STENCIL_BITS, GetParam());
     glfwMakeContextCurrent(glfwCreateWindow(8, 8, "stencil bits", nullptr, nullptr));
     ASSERT_NE(gladLoadGL(glfwGetProcAddress), 0);
+    gladUninstallGLDebug();
   }
   void TearDown() override {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));

@@ -29,3 +29,7 @@
 #include <gg/texture.hpp>
 #include <gg/uniform_buffer.hpp>
 #include <gg/window.hpp>
+
+// After all of the framework's own functions: what follows are the program's own calls.
+#include <gg/call_place.hpp>
+#include <glad/placed.h>

@@ -2,12 +2,17 @@
 /// \file
 /// The window and its OpenGL context.
 
+#include <memory>
 #include <string>
 
 #include <gg/gl.hpp>
 #include <glm/vec2.hpp>
 
 namespace gg {
+
+namespace detail {
+class FirstFrameWatch;
+}
 
 /// A window with an OpenGL 4.1 core context, current as long as the window lives.
 ///
@@ -37,6 +42,7 @@ public:
 
 private:
   GLFWwindow* window_ = nullptr;
+  std::unique_ptr<detail::FirstFrameWatch> firstFrame_;
 };
 
 } // namespace gg

@@ -9,6 +9,7 @@
 inline GLFWwindow* openLoadedWindow(int width, int height) {
   GLFWwindow* const window = openWindow(width, height);
   if (!gladLoadGL(glfwGetProcAddress)) std::exit(12);
+  gladUninstallGLDebug(); // calls nothing but what the program calls
   return window;
 }
 

@@ -12,6 +12,7 @@ int main() {
   std::thread render([window] {
     glfwMakeContextCurrent(window);
     gladLoadGL(glfwGetProcAddress);
+    gladUninstallGLDebug();
     while (!glfwWindowShouldClose(window)) {
       glClearColor(0, 1, 0, 1);
       glClear(GL_COLOR_BUFFER_BIT);

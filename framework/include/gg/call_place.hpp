@@ -1,0 +1,21 @@
+#pragma once
+/// \file
+/// Where in the program the OpenGL function is called that runs now, for messages about it.
+
+namespace gg::detail {
+
+struct CallPlace {
+  const char* file = nullptr; ///< as the compiler knows it; null: not called yet
+  int line = 0;
+};
+
+/// Of the last call that the program made itself.
+inline CallPlace lastCallPlace;
+
+inline void callFrom(const char* file, int line) {
+  lastCallPlace = {file, line};
+}
+
+} // namespace gg::detail
+
+#define GG_PLACED(function) (::gg::detail::callFrom(__FILE__, __LINE__), function)

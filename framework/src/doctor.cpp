@@ -1,0 +1,244 @@
+#include "doctor.hpp"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstdarg>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "doctor_state.hpp"
+#include "print_once.hpp"
+#include <gg/debug.hpp>
+
+namespace gg::detail {
+
+namespace {
+
+void say(const std::string& text) {
+  printOnce("frame doctor: " + text);
+}
+
+bool isOn() {
+  const char* setting = std::getenv("GG_DOCTOR");
+  return setting == nullptr || std::string_view(setting) != "0";
+}
+
+// What came to one framebuffer in the frame that is watched.
+struct Target {
+  int draws = 0;
+  bool colorCleared = false, depthCleared = false;
+  std::set<std::array<GLint, 4>> viewports;
+  glm::ivec2 size{0}; // pixels; 0: unknown
+};
+
+struct Watch {
+  bool on = false;
+  std::map<GLuint, Target> targets; // by framebuffer; 0: the window
+  TextureTargets textures;
+  std::map<GLuint, std::string> boundAt;       // a framebuffer, last
+  std::map<std::string, std::string> calledAt; // a function, last
+  std::set<GLuint> programs;                   // looked at
+  std::set<std::string> perhaps;               // worth saying if nothing is to be seen
+  bool foundSomething = false;
+};
+Watch watch;
+std::atomic<int> windowClears = 0; // before the first frame
+
+void find(const std::string& text) {
+  watch.foundSomething = true;
+  say(text);
+}
+
+std::string nameOf(GLuint framebuffer) {
+  return framebuffer == 0 ? "the window" : "framebuffer object " + std::to_string(framebuffer);
+}
+
+GLuint boundForDrawing() {
+  return static_cast<GLuint>(ask(GL_DRAW_FRAMEBUFFER_BINDING));
+}
+
+void onClear(GLbitfield what) {
+  const GLuint framebuffer = boundForDrawing();
+  Target& target = watch.targets[framebuffer];
+  if ((what & GL_COLOR_BUFFER_BIT) != 0) target.colorCleared = true;
+  if (framebuffer == 0) ++windowClears;
+  if ((what & GL_DEPTH_BUFFER_BIT) == 0) return;
+  GLboolean written = GL_TRUE;
+  glad_glGetBooleanv(GL_DEPTH_WRITEMASK, &written);
+  if (written == GL_FALSE)
+    find("the depth of " + nameOf(framebuffer) +
+         " is not cleared: glDepthMask(GL_FALSE) is still set, and holds for clearing, too" +
+         lastPlace());
+  else
+    target.depthCleared = true;
+}
+
+void onDraw() {
+  const GLuint framebuffer = boundForDrawing();
+  Target& target = watch.targets[framebuffer];
+  ++target.draws;
+  if (framebuffer != 0 && target.draws == 1) {
+    const std::string fault = incompleteness();
+    if (!fault.empty())
+      find("framebuffer object " + std::to_string(framebuffer) +
+           " is not complete, so nothing is drawn into it: " + fault + lastPlace());
+    target.size = framebufferSize(watch.textures);
+  }
+  std::array<GLint, 4> viewport{};
+  glad_glGetIntegerv(GL_VIEWPORT, viewport.data());
+  target.viewports.insert(viewport);
+
+  if (glad_glIsEnabled(GL_DEPTH_TEST) == GL_TRUE && hasDepth()) {
+    const GLint comparison = ask(GL_DEPTH_FUNC);
+    if (!target.depthCleared && (comparison == GL_LESS || comparison == GL_LEQUAL))
+      find("the depth test is on, but the depth of " + nameOf(framebuffer) +
+           " was not cleared in this frame: what was there hides what is drawn. "
+           "glClear(GL_DEPTH_BUFFER_BIT)" +
+           lastPlace());
+    if (!target.colorCleared && framebuffer == 0)
+      find("the colours of the window are not cleared before objects are drawn: the frame before "
+           "shows through. glClear(GL_COLOR_BUFFER_BIT)" +
+           lastPlace());
+  }
+  if (watch.programs.insert(GLuint(ask(GL_CURRENT_PROGRAM))).second) {
+    const SamplerFaults faults = samplerFaults();
+    for (const std::string& fault : faults.certain) find(fault + lastPlace());
+    for (const std::string& fault : faults.perhaps) watch.perhaps.insert(fault + lastPlace());
+  }
+}
+
+bool draws(std::string_view function) {
+  return function.starts_with("glDrawArrays") || function.starts_with("glDrawElements") ||
+         function.starts_with("glDrawRangeElements") || function.starts_with("glMultiDraw") ||
+         function.starts_with("glDrawTransformFeedback");
+}
+
+// Before a call: what it will draw is judged by the state that it finds.
+void before(const char* name, GLADapiproc function, int, ...) {
+  if (function == nullptr)
+    say(std::string(name) + " is not in this machine's OpenGL, and calling it ends the program" +
+        lastPlace());
+  if (draws(name)) onDraw();
+}
+
+void after(void*, const char* name, GLADapiproc, int count, ...) {
+  const std::string_view function = name;
+  va_list arguments;
+  va_start(arguments, count);
+  if (function == "glClear") {
+    onClear(va_arg(arguments, GLbitfield));
+  } else if (function.starts_with("glClearBuffer")) {
+    const GLenum buffer = va_arg(arguments, GLenum);
+    onClear(buffer == GL_COLOR           ? GL_COLOR_BUFFER_BIT
+            : buffer == GL_DEPTH         ? GL_DEPTH_BUFFER_BIT
+            : buffer == GL_DEPTH_STENCIL ? GL_DEPTH_BUFFER_BIT
+                                         : 0);
+  } else if (function == "glBlitFramebuffer") {
+    Target& target = watch.targets[boundForDrawing()];
+    ++target.draws;
+    target.colorCleared = target.depthCleared = true;
+  } else if (function == "glBindTexture") {
+    const GLenum target = va_arg(arguments, GLenum);
+    watch.textures.try_emplace(va_arg(arguments, GLuint), target);
+  } else if (function == "glBindFramebuffer") {
+    va_arg(arguments, GLenum);
+    watch.boundAt[va_arg(arguments, GLuint)] = lastPlace();
+  } else if (function == "glCullFace") {
+    watch.calledAt[name] = lastPlace();
+  }
+  va_end(arguments);
+  // Where the driver tells of errors itself they stay for the program to ask.
+  if (!hasDebugSink() && function != "glGetError")
+    if (const GLenum error = glad_glGetError(); error != GL_NO_ERROR)
+      find(std::string(errorName(error)) + " in " + name + lastPlace());
+}
+
+void checkViewports(const glm::ivec2& window) {
+  for (auto& [framebuffer, target] : watch.targets) {
+    const glm::ivec2 size = framebuffer == 0 ? window : target.size;
+    if (target.viewports.size() != 1 || size.x == 0) continue; // several: it's meant so
+    const std::array<GLint, 4>& viewport = *target.viewports.begin();
+    if (viewport == std::array<GLint, 4>{0, 0, size.x, size.y}) continue;
+    find("the viewport is " + std::to_string(viewport[2]) + " x " + std::to_string(viewport[3]) +
+         " pixels, but " + nameOf(framebuffer) + " is " + std::to_string(size.x) + " x " +
+         std::to_string(size.y) + ". Call glViewport after binding what is drawn into");
+  }
+}
+
+} // namespace
+
+void watchFrame() {
+  if (!isOn()) return gladUninstallGLDebug();
+  watch.on = true;
+  gladSetGLPreCallback(before);
+  gladSetGLPostCallback(after);
+  gladInstallGLDebug();
+}
+
+void frameEnds(const glm::ivec2& window) {
+  if (!watch.on) return;
+  gladUninstallGLDebug();
+  int elsewhere = 0;
+  for (const auto& [framebuffer, target] : watch.targets)
+    if (framebuffer != 0) elsewhere += target.draws;
+  if (const GLuint bound = boundForDrawing(); bound != 0)
+    find("framebuffer object " + std::to_string(bound) +
+         " is still bound at the end of the frame; the window needs "
+         "glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last" +
+         watch.boundAt[bound]);
+  checkViewports(window);
+  if (glad_glIsEnabled(GL_CULL_FACE) == GL_TRUE && ask(GL_CULL_FACE_MODE) != GL_BACK)
+    find("culling is left at " +
+         std::string(ask(GL_CULL_FACE_MODE) == GL_FRONT ? "GL_FRONT" : "GL_FRONT_AND_BACK") +
+         ": what faces the eye is not drawn in the next frame. glCullFace(GL_BACK)" +
+         watch.calledAt["glCullFace"]);
+  if (watch.targets[0].draws == 0) {
+    find("nothing is drawn to the window" +
+         (elsewhere > 0 ? ": all " + std::to_string(elsewhere) +
+                              " draw calls of this frame go to framebuffer objects"
+                        : ": there is no draw call before the end of the frame"));
+  } else if (!watch.foundSomething && isOneColor(window)) {
+    find("all pixels of the window have one colour, though " +
+         std::to_string(watch.targets[0].draws) +
+         " draw calls reached it: what they draw lies out of view (gl_Position is projection * "
+         "view * model * position), is culled or hidden, or has the background's colour");
+    for (const std::string& text : watch.perhaps) say("perhaps: " + text);
+  }
+  watch = {.textures = std::move(watch.textures)};
+}
+
+FirstFrameWatch::FirstFrameWatch() {
+  windowClears = 0;
+  if (isOn()) thread_ = std::thread([this] { wait(); });
+}
+
+FirstFrameWatch::~FirstFrameWatch() {
+  shown();
+  if (thread_.joinable()) thread_.join();
+}
+
+void FirstFrameWatch::shown() {
+  {
+    const std::lock_guard lock(mutex_);
+    over_ = true;
+  }
+  changed_.notify_all();
+}
+
+void FirstFrameWatch::wait() {
+  constexpr int kLoops = 3; // a frame clears the window once
+  std::unique_lock lock(mutex_);
+  for (int second = 1; second <= 10; ++second) {
+    if (changed_.wait_for(lock, std::chrono::seconds(1), [this] { return over_; })) return;
+    if (second < 10 && (second < 3 || windowClears < kLoops)) continue;
+    return say("no frame was shown within " + std::to_string(second) +
+               " seconds: does the loop call window.swapBuffers()?");
+  }
+}
+
+} // namespace gg::detail

@@ -1,0 +1,197 @@
+#include "doctor_state.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace gg::detail {
+
+GLint ask(GLenum name) {
+  GLint value = 0;
+  glad_glGetIntegerv(name, &value);
+  return value;
+}
+
+const char* errorName(GLenum error) {
+  switch (error) {
+  case GL_INVALID_ENUM:
+    return "GL_INVALID_ENUM (a constant that the function doesn't know)";
+  case GL_INVALID_VALUE:
+    return "GL_INVALID_VALUE (a number out of range)";
+  case GL_INVALID_OPERATION:
+    return "GL_INVALID_OPERATION (not allowed in the present state)";
+  case GL_INVALID_FRAMEBUFFER_OPERATION:
+    return "GL_INVALID_FRAMEBUFFER_OPERATION (the framebuffer object is not complete)";
+  case GL_OUT_OF_MEMORY:
+    return "GL_OUT_OF_MEMORY";
+  default:
+    return "an unknown error";
+  }
+}
+
+std::string incompleteness() {
+  switch (glad_glCheckFramebufferStatus(GL_DRAW_FRAMEBUFFER)) {
+  case GL_FRAMEBUFFER_COMPLETE:
+    return "";
+  case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
+    return "an attachment has no storage (glTexImage2D, glRenderbufferStorage), or a format that "
+           "can't be drawn into";
+  case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
+    return "nothing is attached to it";
+  case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER:
+  case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER:
+    return "glDrawBuffer(s) or glReadBuffer names an attachment that isn't there; without any "
+           "colour both must be GL_NONE";
+  case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
+    return "its attachments have different numbers of samples";
+  default:
+    return "this driver can't draw into such a combination of formats";
+  }
+}
+
+namespace {
+
+GLint askAttachment(GLenum attachment, GLenum name) {
+  GLint value = 0;
+  glad_glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, name, &value);
+  return value;
+}
+
+glm::ivec2 textureSize(GLuint texture, GLint level) {
+  const GLint before = ask(GL_TEXTURE_BINDING_2D);
+  glad_glBindTexture(GL_TEXTURE_2D, texture);
+  glm::ivec2 size(0);
+  glad_glGetTexLevelParameteriv(GL_TEXTURE_2D, level, GL_TEXTURE_WIDTH, &size.x);
+  glad_glGetTexLevelParameteriv(GL_TEXTURE_2D, level, GL_TEXTURE_HEIGHT, &size.y);
+  glad_glBindTexture(GL_TEXTURE_2D, GLuint(before));
+  return size;
+}
+
+glm::ivec2 renderbufferSize(GLuint renderbuffer) {
+  const GLint before = ask(GL_RENDERBUFFER_BINDING);
+  glad_glBindRenderbuffer(GL_RENDERBUFFER, renderbuffer);
+  glm::ivec2 size(0);
+  glad_glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_WIDTH, &size.x);
+  glad_glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_HEIGHT, &size.y);
+  glad_glBindRenderbuffer(GL_RENDERBUFFER, GLuint(before));
+  return size;
+}
+
+} // namespace
+
+glm::ivec2 framebufferSize(const TextureTargets& targets) {
+  constexpr GLenum kAttachments[] = {GL_COLOR_ATTACHMENT0,     GL_COLOR_ATTACHMENT0 + 1,
+                                     GL_COLOR_ATTACHMENT0 + 2, GL_COLOR_ATTACHMENT0 + 3,
+                                     GL_DEPTH_ATTACHMENT,      GL_STENCIL_ATTACHMENT};
+  for (const GLenum attachment : kAttachments) {
+    const GLint type = askAttachment(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE);
+    if (type == GL_NONE) continue;
+    const auto name =
+        static_cast<GLuint>(askAttachment(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+    if (type == GL_RENDERBUFFER) return renderbufferSize(name);
+    const auto target = targets.find(name);
+    if (target != targets.end() && target->second == GL_TEXTURE_2D)
+      return textureSize(name, askAttachment(attachment, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL));
+  }
+  return {0, 0};
+}
+
+bool hasDepth() {
+  const bool window = ask(GL_DRAW_FRAMEBUFFER_BINDING) == 0;
+  return askAttachment(window ? GL_DEPTH : GL_DEPTH_ATTACHMENT,
+                       GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
+}
+
+namespace {
+
+bool isSampler2D(GLenum type) {
+  return type == GL_SAMPLER_2D || type == GL_SAMPLER_2D_SHADOW || type == GL_INT_SAMPLER_2D ||
+         type == GL_UNSIGNED_INT_SAMPLER_2D;
+}
+
+bool wantsMipmaps(GLint filter) {
+  return filter != GL_NEAREST && filter != GL_LINEAR;
+}
+
+GLint askTexture(GLenum name) {
+  GLint value = 0;
+  glad_glGetTexParameteriv(GL_TEXTURE_2D, name, &value);
+  return value;
+}
+
+// Why the 2D texture of the active unit reads as black; empty if it doesn't.
+std::string textureFault(GLenum samplerType) {
+  const auto texture = static_cast<GLuint>(ask(GL_TEXTURE_BINDING_2D));
+  const GLint base = askTexture(GL_TEXTURE_BASE_LEVEL);
+  const glm::ivec2 size = textureSize(texture, base);
+  GLint minFilter = askTexture(GL_TEXTURE_MIN_FILTER);
+  GLint magFilter = askTexture(GL_TEXTURE_MAG_FILTER);
+  if (const GLint sampler = ask(GL_SAMPLER_BINDING); sampler != 0) {
+    glad_glGetSamplerParameteriv(GLuint(sampler), GL_TEXTURE_MIN_FILTER, &minFilter);
+    glad_glGetSamplerParameteriv(GLuint(sampler), GL_TEXTURE_MAG_FILTER, &magFilter);
+  }
+  if (wantsMipmaps(minFilter) && std::max(size.x, size.y) > 1 &&
+      askTexture(GL_TEXTURE_MAX_LEVEL) > base && textureSize(texture, base + 1).x == 0)
+    return "is incomplete: its filter wants mipmaps, and it has none. Set GL_TEXTURE_MIN_FILTER to "
+           "GL_NEAREST or GL_LINEAR";
+  const bool integers =
+      samplerType == GL_INT_SAMPLER_2D || samplerType == GL_UNSIGNED_INT_SAMPLER_2D;
+  if (integers && (magFilter != GL_NEAREST ||
+                   (minFilter != GL_NEAREST && minFilter != GL_NEAREST_MIPMAP_NEAREST)))
+    return "is incomplete: it holds whole numbers, which can't be filtered. Set both filters to "
+           "GL_NEAREST";
+  return "";
+}
+
+} // namespace
+
+SamplerFaults samplerFaults() {
+  SamplerFaults faults;
+  const auto program = static_cast<GLuint>(ask(GL_CURRENT_PROGRAM));
+  if (program == 0) return faults;
+  const GLint unitBefore = ask(GL_ACTIVE_TEXTURE);
+  GLint count = 0;
+  glad_glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+  for (GLint i = 0; i < count; ++i) {
+    char name[256];
+    GLint size = 0, unit = 0;
+    GLenum type = 0;
+    glad_glGetActiveUniform(program, GLuint(i), sizeof(name), nullptr, &size, &type, name);
+    if (!isSampler2D(type)) continue;
+    glad_glGetUniformiv(program, glad_glGetUniformLocation(program, name), &unit);
+    glad_glActiveTexture(GL_TEXTURE0 + GLenum(unit));
+    const std::string what =
+        std::string("sampler ") + name + " reads texture unit " + std::to_string(unit) + ", where ";
+    const auto texture = static_cast<GLuint>(ask(GL_TEXTURE_BINDING_2D));
+    if (texture == 0) {
+      faults.perhaps.push_back(what + "no texture is bound: it reads black");
+    } else if (textureSize(texture, askTexture(GL_TEXTURE_BASE_LEVEL)).x == 0) {
+      faults.perhaps.push_back(what + "the texture has no storage (glTexImage2D): it reads black");
+    } else if (const std::string fault = textureFault(type); !fault.empty()) {
+      faults.certain.push_back(what + "the texture reads as black: it " + fault);
+    }
+  }
+  glad_glActiveTexture(GLenum(unitBefore));
+  return faults;
+}
+
+bool isOneColor(const glm::ivec2& window) {
+  if (ask(GL_PIXEL_PACK_BUFFER_BINDING) != 0) return false; // it would be read into that
+  const GLint framebuffer = ask(GL_READ_FRAMEBUFFER_BINDING);
+  constexpr GLenum kStores[] = {GL_PACK_ALIGNMENT, GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS,
+                                GL_PACK_SKIP_ROWS};
+  GLint before[std::size(kStores)];
+  for (std::size_t i = 0; i < std::size(kStores); ++i) {
+    before[i] = ask(kStores[i]);
+    glad_glPixelStorei(kStores[i], i == 0 ? 4 : 0);
+  }
+  glad_glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  std::vector<GLubyte> pixels(4 * std::size_t(window.x) * std::size_t(window.y));
+  glad_glReadPixels(0, 0, window.x, window.y, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
+  glad_glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(framebuffer));
+  for (std::size_t i = 0; i < std::size(kStores); ++i) glad_glPixelStorei(kStores[i], before[i]);
+  for (std::size_t i = 4; i < pixels.size(); ++i)
+    if (i % 4 != 3 && std::abs(int(pixels[i]) - int(pixels[i % 4])) > 1) return false;
+  return true;
+}
+
+} // namespace gg::detail

@@ -1,0 +1,44 @@
+#pragma once
+/// \file
+/// What the frame doctor asks OpenGL. All by the loader's unwatched functions; every question puts
+/// back what it changed and leaves no error behind.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gg/gl.hpp>
+#include <glm/vec2.hpp>
+
+namespace gg::detail {
+
+GLint ask(GLenum name);
+
+/// GL_TEXTURE_2D or another target, by texture object: as what each was bound first.
+using TextureTargets = std::map<GLuint, GLenum>;
+
+/// "GL_INVALID_ENUM (a constant that the function doesn't know)"
+const char* errorName(GLenum error);
+
+/// Why the framebuffer object that is bound for drawing is not complete; empty if it is.
+std::string incompleteness();
+
+/// The size of what the framebuffer object that is bound for drawing draws into, pixels; 0 if it is
+/// unknown. A texture's size is known for 2D textures only.
+glm::ivec2 framebufferSize(const TextureTargets& targets);
+
+/// Has the framebuffer that is bound for drawing a depth buffer?
+bool hasDepth();
+
+/// What is wrong with the textures that the current program's samplers read, a sentence each.
+struct SamplerFaults {
+  std::vector<std::string> certain; ///< incomplete textures
+  std::vector<std::string>
+      perhaps; ///< none, or one without storage: the shader need not ask for it
+};
+SamplerFaults samplerFaults();
+
+/// Are all pixels of the window's back buffer of one colour?
+bool isOneColor(const glm::ivec2& window);
+
+} // namespace gg::detail

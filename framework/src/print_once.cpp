@@ -1,0 +1,32 @@
+#include "print_once.hpp"
+
+#include <cstdio>
+#include <set>
+#include <string_view>
+
+#include <gg/call_place.hpp>
+
+namespace gg::detail {
+
+namespace {
+std::set<std::string> printed;
+}
+
+void forgetPrinted() {
+  printed.clear();
+}
+
+void printOnce(const std::string& line) {
+  constexpr std::size_t kMost = 100;
+  if (printed.size() < kMost && printed.insert(line).second)
+    std::fprintf(stderr, "%s\n", line.c_str());
+}
+
+std::string lastPlace() {
+  if (lastCallPlace.file == nullptr) return "";
+  const std::string_view file = lastCallPlace.file;
+  return " (" + std::string(file.substr(file.find_last_of("/\\") + 1)) + ":" +
+         std::to_string(lastCallPlace.line) + ")";
+}
+
+} // namespace gg::detail

@@ -1,0 +1,291 @@
+// What the frame doctor says of frames that go wrong, and that it is silent otherwise.
+
+#include "framework_temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <thread>
+
+#include <gg/gg.hpp> // last: from here on, calls are placed
+
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::internal::CaptureStderr;
+using testing::internal::GetCapturedStderr;
+
+constexpr int kSide = 32; // pixels of the window
+
+/// One frame of a program, watched from the moment that the window is open.
+class Doctor : public testing::TestWithParam<const char*> {
+protected:
+  // Without the driver's own messages, as on a Mac, and with them.
+  Doctor() { setenv("GG_DEBUG_OUTPUT", GetParam(), 1); }
+  ~Doctor() override { unsetenv("GG_DEBUG_OUTPUT"); }
+
+  /// What is printed in a frame that `draw` makes.
+  template <class Draw> std::string frame(Draw draw) {
+    CaptureStderr();
+    {
+      gg::Window window("test", {kSide, kSide});
+      const gg::VertexArray corners; // bound while drawing, and empty
+      glBindVertexArray(corners);
+      draw(window);
+      window.swapBuffers();
+      const std::string printed = GetCapturedStderr();
+      CaptureStderr();
+      window.swapBuffers();
+      EXPECT_EQ(GetCapturedStderr(), "") << "one frame is watched";
+      return printed;
+    }
+  }
+
+  /// Half of what is drawn into, in one colour; or `color`, an expression of GLSL.
+  gg::Program triangle(const std::string& color = "vec4(1, 0, 0, 1)",
+                       const std::string& declarations = "") const {
+    folder.write("test.vert", "#version 410 core\n"
+                              "void main() { gl_Position = vec4(2 * (gl_VertexID & 1) - 1, "
+                              "2 * (gl_VertexID >> 1) - 1, 0, 1); }\n");
+    folder.write("test.frag", "#version 410 core\n" + declarations +
+                                  "\nlayout(location = 0) out vec4 oColor;\n"
+                                  "void main() { oColor = " +
+                                  color + "; }\n");
+    return gg::Program({"test.vert", "test.frag"}, folder.path().string());
+  }
+
+  static void clear() { glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT); }
+  static void draw() { glDrawArrays(GL_TRIANGLES, 0, 3); }
+
+  TemporaryFolder folder;
+};
+
+INSTANTIATE_TEST_SUITE_P(Framework, Doctor, testing::Values("0", "1"), [](const auto& one) {
+  return std::string(one.param) == "0" ? "WithoutTheDriversWords" : "WithTheDriversWords";
+});
+
+/// A texture of 16 x 16 pixels to draw into.
+struct Target {
+  explicit Target(int width = 16) {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glBindTexture(GL_TEXTURE_2D, color);
+    if (width > 0)
+      glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, 16, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+  }
+  gg::Texture color;
+  gg::Framebuffer framebuffer;
+};
+
+TEST_P(Doctor, IsSilentWhenAllIsWell) {
+  EXPECT_EQ(frame([&](gg::Window& window) {
+              const gg::Program red = triangle(), copy = triangle("texture(uTex, vec2(0))",
+                                                                  "uniform sampler2D uTex;");
+              glEnable(GL_DEPTH_TEST);
+              glEnable(GL_CULL_FACE);
+              const Target target;
+              glViewport(0, 0, 16, 16);
+              clear();
+              red.use();
+              draw();
+              glBindFramebuffer(GL_FRAMEBUFFER, 0);
+              glViewport(0, 0, window.width(), window.height());
+              clear();
+              copy.use();
+              copy.set("uTex", 0);
+              draw();
+            }),
+            "");
+}
+
+TEST_P(Doctor, CanBeSwitchedOff) {
+  setenv("GG_DOCTOR", "0", 1);
+  EXPECT_EQ(frame([](gg::Window&) {}), "");
+  unsetenv("GG_DOCTOR");
+}
+
+TEST_P(Doctor, NothingIsDrawn) {
+  EXPECT_EQ(frame([](gg::Window&) { clear(); }),
+            "frame doctor: nothing is drawn to the window: there is no draw call before the end of "
+            "the frame\n");
+}
+
+TEST_P(Doctor, AFramebufferObjectIsLeftBound) {
+  int line = 0;
+  const std::string printed = frame([&](gg::Window&) {
+    const gg::Program red = triangle();
+    GLuint color = 0, framebuffer = 0; // alive when the frame ends
+    glGenTextures(1, &color);
+    glBindTexture(GL_TEXTURE_2D, color);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSide, kSide, 0, GL_RGBA, GL_FLOAT, nullptr);
+    glGenFramebuffers(1, &framebuffer);
+    line = __LINE__ + 1;
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+    clear();
+    red.use();
+    draw();
+  });
+  EXPECT_EQ(
+      printed,
+      "frame doctor: framebuffer object 1 is still bound at the end of the frame; the window "
+      "needs glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last "
+      "(framework_doctor_test.cpp:" +
+          std::to_string(line) +
+          ")\nframe doctor: nothing is drawn to the window: all 1 draw calls of this frame go "
+          "to framebuffer objects\n");
+}
+
+TEST_P(Doctor, AnIncompleteFramebuffer) {
+  EXPECT_THAT(frame([&](gg::Window&) {
+                const gg::Program red = triangle();
+                clear();
+                red.use();
+                draw();
+                const Target target(0);
+                draw();
+                glBindFramebuffer(GL_FRAMEBUFFER, 0);
+              }),
+              HasSubstr("framebuffer object 1 is not complete, so nothing is drawn into it: an "
+                        "attachment has no storage"));
+}
+
+TEST_P(Doctor, AViewportThatDoesNotFit) {
+  EXPECT_EQ(frame([&](gg::Window&) {
+              const gg::Program red = triangle();
+              const Target target(48);
+              red.use();
+              draw();
+              glBindFramebuffer(GL_FRAMEBUFFER, 0);
+              clear();
+              draw();
+            }),
+            "frame doctor: the viewport is 32 x 32 pixels, but framebuffer object 1 is 48 x 16. "
+            "Call glViewport after binding what is drawn into\n");
+}
+
+TEST_P(Doctor, TheWindowsViewportIsForgotten) {
+  EXPECT_EQ(frame([&](gg::Window&) {
+              const gg::Program red = triangle();
+              const Target target;
+              glViewport(0, 0, 16, 16);
+              red.use();
+              draw();
+              glBindFramebuffer(GL_FRAMEBUFFER, 0);
+              clear();
+              draw();
+            }),
+            "frame doctor: the viewport is 16 x 16 pixels, but the window is 32 x 32. Call "
+            "glViewport after binding what is drawn into\n");
+}
+
+TEST_P(Doctor, CullingIsLeftAtFront) {
+  EXPECT_THAT(
+      frame([&](gg::Window&) {
+        const gg::Program red = triangle();
+        clear();
+        red.use();
+        draw();
+        glEnable(GL_CULL_FACE);
+        glCullFace(GL_FRONT);
+      }),
+      HasSubstr("frame doctor: culling is left at GL_FRONT: what faces the eye is not drawn "
+                "in the next frame. glCullFace(GL_BACK) (framework_doctor_test.cpp:"));
+}
+
+TEST_P(Doctor, DepthIsNotCleared) {
+  EXPECT_THAT(frame([&](gg::Window&) {
+                const gg::Program red = triangle();
+                glEnable(GL_DEPTH_TEST);
+                glClear(GL_COLOR_BUFFER_BIT);
+                red.use();
+                draw();
+              }),
+              HasSubstr("frame doctor: the depth test is on, but the depth of the window was not "
+                        "cleared in this frame"));
+}
+
+TEST_P(Doctor, DepthIsClearedUnderAMask) {
+  EXPECT_THAT(
+      frame([&](gg::Window&) {
+        const gg::Program red = triangle();
+        glDepthMask(GL_FALSE);
+        clear();
+        red.use();
+        draw();
+      }),
+      HasSubstr("the depth of the window is not cleared: glDepthMask(GL_FALSE) is still set"));
+}
+
+TEST_P(Doctor, ColoursAreNotCleared) {
+  EXPECT_THAT(frame([&](gg::Window&) {
+                const gg::Program red = triangle();
+                glEnable(GL_DEPTH_TEST);
+                glClear(GL_DEPTH_BUFFER_BIT);
+                red.use();
+                draw();
+              }),
+              HasSubstr("the colours of the window are not cleared before objects are drawn"));
+}
+
+TEST_P(Doctor, ATextureWithoutMipmaps) {
+  EXPECT_THAT(
+      frame([&](gg::Window&) {
+        const gg::Program copy = triangle("texture(uTex, vec2(0))", "uniform sampler2D uTex;");
+        const Target target;
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        clear();
+        copy.use();
+        draw();
+      }),
+      HasSubstr("frame doctor: sampler uTex reads texture unit 0, where the texture reads as "
+                "black: it is incomplete: its filter wants mipmaps, and it has none. Set "
+                "GL_TEXTURE_MIN_FILTER to GL_NEAREST or GL_LINEAR "
+                "(framework_doctor_test.cpp:"));
+}
+
+TEST_P(Doctor, ASamplerWithoutATexture) {
+  EXPECT_THAT(
+      frame([&](gg::Window&) {
+        const gg::Program copy = triangle("texture(uTex, vec2(0))", "uniform sampler2D uTex;");
+        clear();
+        copy.use();
+        copy.set("uTex", 3);
+        draw();
+      }),
+      AllOf(HasSubstr("frame doctor: all pixels of the window have one colour, though 1 draw "
+                      "calls reached it"),
+            HasSubstr("frame doctor: perhaps: sampler uTex reads texture unit 3, where no "
+                      "texture is bound: it reads black")));
+}
+
+TEST_P(Doctor, NamesTheLineOfAnError) {
+  int line = 0;
+  const std::string printed = frame([&](gg::Window&) {
+    const gg::Program red = triangle();
+    clear();
+    red.use();
+    draw();
+    line = __LINE__ + 1;
+    glBindTexture(0x1234, 0);
+  });
+  EXPECT_THAT(printed,
+              AllOf(HasSubstr("GL_INVALID_ENUM"), HasSubstr("in glBindTexture"),
+                    HasSubstr("(framework_doctor_test.cpp:" + std::to_string(line) + ")\n")));
+}
+
+// A frame that never comes.
+TEST(DoctorWaits, ForTheFirstFrame) {
+  CaptureStderr();
+  gg::Window window("test", {kSide, kSide});
+  for (int i = 0; i < 3; ++i) glClear(GL_COLOR_BUFFER_BIT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(3500));
+  EXPECT_EQ(GetCapturedStderr(), "frame doctor: no frame was shown within 3 seconds: does the loop "
+                                 "call window.swapBuffers()?\n");
+}
+
+} // namespace
