@@ -1,6 +1,6 @@
 # gg_program(target folder id output_folder) builds the student's program <folder>/<id>.cpp as
 # <output_folder>/<id> and keeps copies of its shaders, scene and other files beside it, so that it
-# runs from anywhere. Further folders may be named whose JSON files (scene, declarations) it needs, too.
+# runs from anywhere; source_folder.txt there says where the shaders are that are edited. Further folders may be named whose JSON files (scene, declarations) it needs, too.
 function(gg_program target folder id output_folder)
   add_executable(${target} ${folder}/${id}.cpp)
   target_link_libraries(${target} PRIVATE gg)
@@ -21,6 +21,7 @@ function(gg_program target folder id output_folder)
     file(GLOB further_files CONFIGURE_DEPENDS ${further}/*.json)
     list(APPEND files ${further_files})
   endforeach()
+  file(WRITE ${output_folder}/source_folder.txt ${folder})
   set(copies "")
   foreach(file ${files})
     get_filename_component(name ${file} NAME)

@@ -38,6 +38,14 @@ std::filesystem::path programFolder() {
   return folder;
 }
 
+std::filesystem::path shaderFolder() {
+  std::error_code ignored;
+  const std::filesystem::path note = programFolder() / "source_folder.txt";
+  if (!std::filesystem::exists(note, ignored)) return programFolder();
+  const std::filesystem::path folder = fromUtf8(readFile(note));
+  return std::filesystem::is_directory(folder, ignored) ? folder : programFolder();
+}
+
 std::vector<std::string> utf8Arguments(int argc, char** argv) {
 #if defined(_WIN32)
   (void)argv;

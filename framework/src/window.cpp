@@ -4,6 +4,7 @@
 
 #include "doctor.hpp"
 #include "print_once.hpp"
+#include "reload.hpp"
 
 #include <gg/debug.hpp>
 #include <gg/error.hpp>
@@ -66,7 +67,7 @@ GLFWwindow* open(const std::string& title, const glm::ivec2& size) {
 
 } // namespace
 
-Window::Window(const std::string& title, const glm::ivec2& size) {
+Window::Window(const std::string& title, const glm::ivec2& size) : title_(title) {
   glfwSetErrorCallback(rememberError);
   if (glfwInit() == GLFW_FALSE)
     throw WindowError("no window can be opened: " + lastError +
@@ -105,8 +106,18 @@ void Window::swapBuffers() {
   reportErrors("this frame");
   firstFrame_->shown();
   detail::frameEnds({width(), height()});
+  reload();
   glfwSwapBuffers(window_);
   glfwPollEvents();
+}
+
+void Window::reload() {
+  const detail::Reloaded reloaded = detail::reloadPrograms();
+  if (reloaded.any) detail::watchFrame();
+  if (reloaded.errors == shownErrors_) return;
+  shownErrors_ = reloaded.errors;
+  const std::string first = shownErrors_.substr(0, shownErrors_.find('\n'));
+  glfwSetWindowTitle(window_, first.empty() ? title_.c_str() : first.c_str());
 }
 
 // A window that is rolled up to an icon has size 0, by which nobody can divide.

@@ -6,6 +6,7 @@ ggrade_test(framework_gl gl
     ${CMAKE_CURRENT_LIST_DIR}/framework_doctor_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_drawing_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_program_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/framework_reload_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_uniform_test.cpp
   LIBRARIES gg_core)
 add_dependencies(framework_gl ggrade_capture)

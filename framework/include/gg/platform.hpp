@@ -12,6 +12,10 @@ namespace gg {
 /// directory.
 std::filesystem::path programFolder();
 
+/// The folder with the shaders that the user edits: where the program was built from, which
+/// source_folder.txt beside the program says; without it the program's own.
+std::filesystem::path shaderFolder();
+
 /// The program's arguments as UTF-8, without its name.
 std::vector<std::string> utf8Arguments(int argc, char** argv);
 

@@ -41,7 +41,11 @@ public:
   GLFWwindow* handle() const { return window_; }
 
 private:
+  /// Shaders that were saved meanwhile; what is wrong with them stands in the title.
+  void reload();
+
   GLFWwindow* window_ = nullptr;
+  std::string title_, shownErrors_;
   std::unique_ptr<detail::FirstFrameWatch> firstFrame_;
 };
 
