@@ -33,7 +33,8 @@ Wanted figure(const truth::Rendered& rendered) {
                     rendered.window.height());
   const std::vector<truth::Surface> surfaces = look(world);
   const std::vector<dvec3> light =
-      lightOf(world, surfaces, skyOf(rendered.scene), rendered.truth.value("visibility", false));
+      lightOf(world, surfaces, skyOf(rendered.scene),
+              rendered.truth.is_object() && rendered.truth.value("visibility", false));
   Wanted wanted{Image(world.width, world.height, 3), smooth(world, surfaces)};
   for (std::size_t i = 0; i < light.size(); ++i) {
     wanted.counts[i] = wanted.counts[i] && surfaces[i].id >= 0;
