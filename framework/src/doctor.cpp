@@ -11,7 +11,6 @@
 #include <string>
 #include <string_view>
 
-#include "doctor_state.hpp"
 #include "print_once.hpp"
 #include <gg/debug.hpp>
 
@@ -39,6 +38,7 @@ struct Target {
 struct Watch {
   bool on = false;
   std::map<GLuint, Target> targets; // by framebuffer; 0: the window
+  std::vector<GLuint> drawnInto;    // framebuffer objects
   TextureTargets textures;
   std::map<GLuint, std::string> boundAt;       // a framebuffer, last
   std::map<std::string, std::string> calledAt; // a function, last
@@ -83,6 +83,7 @@ void onDraw() {
   Target& target = watch.targets[framebuffer];
   ++target.draws;
   if (framebuffer != 0 && target.draws == 1) {
+    watch.drawnInto.push_back(framebuffer);
     const std::string fault = incompleteness();
     if (!fault.empty())
       find("framebuffer object " + std::to_string(framebuffer) +
@@ -158,6 +159,13 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
       find(std::string(errorName(error)) + " in " + name + lastPlace());
 }
 
+bool isOneColor(const Image& picture) {
+  const std::vector<std::uint8_t>& bytes = picture.rgba;
+  for (std::size_t i = 4; i < bytes.size(); ++i)
+    if (i % 4 != 3 && std::abs(int(bytes[i]) - int(bytes[i % 4])) > 1) return false;
+  return !bytes.empty();
+}
+
 void checkViewports(const glm::ivec2& window) {
   for (auto& [framebuffer, target] : watch.targets) {
     const glm::ivec2 size = framebuffer == 0 ? window : target.size;
@@ -180,8 +188,8 @@ void watchFrame() {
   gladInstallGLDebug();
 }
 
-void frameEnds(const glm::ivec2& window) {
-  if (!watch.on) return;
+std::vector<GLuint> frameEnds(const glm::ivec2& window) {
+  if (!watch.on) return {};
   gladUninstallGLDebug();
   int elsewhere = 0;
   for (const auto& [framebuffer, target] : watch.targets)
@@ -202,14 +210,22 @@ void frameEnds(const glm::ivec2& window) {
          (elsewhere > 0 ? ": all " + std::to_string(elsewhere) +
                               " draw calls of this frame go to framebuffer objects"
                         : ": there is no draw call before the end of the frame"));
-  } else if (!watch.foundSomething && isOneColor(window)) {
+  } else if (!watch.foundSomething && isOneColor(windowPicture(window))) {
     find("all pixels of the window have one colour, though " +
          std::to_string(watch.targets[0].draws) +
          " draw calls reached it: what they draw lies out of view (gl_Position is projection * "
          "view * model * position), is culled or hidden, or has the background's colour");
     for (const std::string& text : watch.perhaps) say("perhaps: " + text);
   }
-  watch = {.textures = std::move(watch.textures)};
+  std::vector<GLuint> drawnInto = std::move(watch.drawnInto);
+  TextureTargets textures = std::move(watch.textures);
+  watch = {};
+  watch.textures = std::move(textures);
+  return drawnInto;
+}
+
+const TextureTargets& knownTextures() {
+  return watch.textures;
 }
 
 FirstFrameWatch::FirstFrameWatch() {

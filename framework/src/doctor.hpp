@@ -6,8 +6,9 @@
 #include <condition_variable>
 #include <mutex>
 #include <thread>
+#include <vector>
 
-#include <glm/vec2.hpp>
+#include "doctor_state.hpp"
 
 namespace gg::detail {
 
@@ -18,7 +19,11 @@ void watchFrame();
 /// If the frame was watched, prints on stderr what is wrong at its end, each message once, and ends
 /// the watch. To be called before the buffers are swapped.
 ///   window: pixels
-void frameEnds(const glm::ivec2& window);
+/// Returns the framebuffer objects that were drawn into, in the order in which they were first.
+std::vector<GLuint> frameEnds(const glm::ivec2& window);
+
+/// All textures that were bound while calls were watched.
+const TextureTargets& knownTextures();
 
 /// Says so if no frame is shown within 3 seconds though the window is cleared again and again, or
 /// within 10 seconds whatever happens. Does nothing if GG_DOCTOR=0 is in the environment.

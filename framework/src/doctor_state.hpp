@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gg/gl.hpp>
+#include <gg/texture.hpp>
 #include <glm/vec2.hpp>
 
 namespace gg::detail {
@@ -38,7 +39,7 @@ struct SamplerFaults {
 };
 SamplerFaults samplerFaults();
 
-/// Are all pixels of the window's back buffer of one colour?
-bool isOneColor(const glm::ivec2& window);
+/// The window's back buffer. Empty if a buffer object is bound that would take it instead.
+Image windowPicture(const glm::ivec2& window);
 
 } // namespace gg::detail

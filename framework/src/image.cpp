@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 #include <gg/error.hpp>
@@ -104,6 +105,26 @@ Image readPng(const std::string& file) {
   if (png_image_finish_read(&png, nullptr, image.rgba.data(), stride, nullptr) == 0)
     throw FileError(file + ": is damaged: " + png.message);
   return image;
+}
+
+void writePng(const std::string& file, const Image& image) {
+  std::vector<std::uint8_t> rgb;
+  for (std::size_t i = 0; i < image.rgba.size(); ++i)
+    if (i % 4 != 3) rgb.push_back(image.rgba[i]);
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(image.width);
+  png.height = static_cast<png_uint_32>(image.height);
+  png.format = PNG_FORMAT_RGB;
+  const auto stride = -static_cast<png_int_32>(3 * png.width); // OpenGL's last row is the top
+  png_alloc_size_t size = 0;
+  png_image_write_to_memory(&png, nullptr, &size, 0, rgb.data(), stride, nullptr);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, rgb.data(), stride, nullptr) == 0)
+    throw FileError(file + ": can't be written: " + png.message);
+  std::ofstream stream(fromUtf8(file), std::ios::binary);
+  stream.write(bytes.data(), static_cast<std::streamsize>(size));
+  if (!stream.flush()) throw FileError(file + ": can't be written");
 }
 
 } // namespace gg

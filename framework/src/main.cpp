@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "arguments.hpp"
+#include "live.hpp"
 #include "parts.hpp"
 #include <gg/app.hpp>
 #include <gg/error.hpp>
@@ -39,6 +40,7 @@ void run(const gg::detail::Arguments& arguments) {
       throw gg::detail::UsageError("--mesh: this assignment has no mesh to choose");
     scene.setText("mesh", meshFromHere(*arguments.mesh));
   }
+  gg::detail::cameraRange = {scene.camera.near, scene.camera.far};
   app(scene);
 }
 

@@ -1,10 +1,10 @@
 #include <gg/window.hpp>
 
 #include <algorithm>
+#include <map>
 
-#include "doctor.hpp"
+#include "live.hpp"
 #include "print_once.hpp"
-#include "reload.hpp"
 
 #include <gg/debug.hpp>
 #include <gg/error.hpp>
@@ -23,8 +23,12 @@ void rememberError(int, const char* description) {
   lastError = description;
 }
 
-void closeOnEscape(GLFWwindow* window, int key, int, int action, int) {
-  if (key == GLFW_KEY_ESCAPE && action == GLFW_PRESS) glfwSetWindowShouldClose(window, GLFW_TRUE);
+std::map<GLFWwindow*, detail::Live*> lives;
+
+void onKey(GLFWwindow* window, int key, int, int action, int) {
+  if (action == GLFW_RELEASE) return;
+  if (key == GLFW_KEY_ESCAPE) glfwSetWindowShouldClose(window, GLFW_TRUE);
+  lives.at(window)->keyPressed(key);
 }
 
 void followSize(GLFWwindow* window, int width, int height) {
@@ -67,7 +71,7 @@ GLFWwindow* open(const std::string& title, const glm::ivec2& size) {
 
 } // namespace
 
-Window::Window(const std::string& title, const glm::ivec2& size) : title_(title) {
+Window::Window(const std::string& title, const glm::ivec2& size) {
   glfwSetErrorCallback(rememberError);
   if (glfwInit() == GLFW_FALSE)
     throw WindowError("no window can be opened: " + lastError +
@@ -85,15 +89,17 @@ Window::Window(const std::string& title, const glm::ivec2& size) : title_(title)
   ++windows;
   detail::forgetPrinted();
   installDebugSink();
-  detail::watchFrame();
-  firstFrame_ = std::make_unique<detail::FirstFrameWatch>();
+  live_ = std::make_unique<detail::Live>(window_, title);
+  lives[window_] = live_.get();
   glfwSwapInterval(1);
-  glfwSetKeyCallback(window_, closeOnEscape);
+  glfwSetKeyCallback(window_, onKey);
   glfwSetFramebufferSizeCallback(window_, followSize);
   glViewport(0, 0, width(), height());
 }
 
 Window::~Window() {
+  lives.erase(window_);
+  live_.reset();
   glfwDestroyWindow(window_);
   if (--windows == 0) glfwTerminate();
 }
@@ -103,21 +109,10 @@ Window::operator bool() const {
 }
 
 void Window::swapBuffers() {
-  reportErrors("this frame");
-  firstFrame_->shown();
-  detail::frameEnds({width(), height()});
-  reload();
+  live_->frameEnds({width(), height()});
   glfwSwapBuffers(window_);
   glfwPollEvents();
-}
-
-void Window::reload() {
-  const detail::Reloaded reloaded = detail::reloadPrograms();
-  if (reloaded.any) detail::watchFrame();
-  if (reloaded.errors == shownErrors_) return;
-  shownErrors_ = reloaded.errors;
-  const std::string first = shownErrors_.substr(0, shownErrors_.find('\n'));
-  glfwSetWindowTitle(window_, first.empty() ? title_.c_str() : first.c_str());
+  live_->frameBegins();
 }
 
 // A window that is rolled up to an icon has size 0, by which nobody can divide.

@@ -5,6 +5,7 @@ ggrade_test(framework_gl gl
     ${CMAKE_CURRENT_LIST_DIR}/framework_debug_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_doctor_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_drawing_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/framework_live_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_program_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_reload_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_uniform_test.cpp

@@ -30,6 +30,9 @@ Image noiseImage(int size, int cells, int octaves, std::uint32_t seed);
 /// Reads a PNG file of any kind; `file` is UTF-8. Throws FileError.
 Image readPng(const std::string& file);
 
+/// Writes a PNG file without its alpha; `file` is UTF-8. Throws FileError.
+void writePng(const std::string& file, const Image& image);
+
 /// A repeating texture with mipmaps (trilinear). The values are used as they are.
 /// Leaves it bound. Calls glTexImage2D, glGenerateMipmap, glTexParameteri.
 Texture makeTexture(const Image& image);

@@ -11,13 +11,15 @@
 namespace gg {
 
 namespace detail {
-class FirstFrameWatch;
+class Live;
 }
 
 /// A window with an OpenGL 4.1 core context, current as long as the window lives.
 ///
-/// `while (window) { ...; window.swapBuffers(); }` draws until it is closed; Esc closes it. When
-/// its size changes, the viewport is set to the whole of it, at the end of swapBuffers().
+/// `while (window) { ...; window.swapBuffers(); }` draws until it is closed; Esc closes it. T shows
+/// every texture that the frame draws into, space stops the time and the arrow keys step it, F12
+/// saves the picture. When its size changes, the viewport is set to the whole of it, at the end of
+/// swapBuffers().
 class Window {
 public:
   /// Opens it and loads the GL functions. Throws WindowError, which names the driver that was found
@@ -41,12 +43,8 @@ public:
   GLFWwindow* handle() const { return window_; }
 
 private:
-  /// Shaders that were saved meanwhile; what is wrong with them stands in the title.
-  void reload();
-
   GLFWwindow* window_ = nullptr;
-  std::string title_, shownErrors_;
-  std::unique_ptr<detail::FirstFrameWatch> firstFrame_;
+  std::unique_ptr<detail::Live> live_;
 };
 
 } // namespace gg
