@@ -62,7 +62,8 @@ std::string usage(const std::string& program) {
       "  --mesh NAME    torus_knot, box, plane or an OBJ file\n"
       "  --size WxH     size of the window in pixels\n"
       "  --help         print this\n"
-      "Esc closes the window.\n",
+      "Keys: Esc closes the window, T shows every texture of the frame, space stops the time,\n"
+      "the arrow keys step it, F12 saves the picture.\n",
       program);
 }
 

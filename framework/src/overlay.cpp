@@ -21,6 +21,7 @@ uniform sampler2D uImage;
 uniform usampler2D uWhole;
 uniform int uShown; // as Overlay::Shown
 uniform int uLevel;
+uniform bool uGrey; // one channel only
 uniform vec4 uTile;  // corner and size, pixels
 uniform vec2 uRange; // near and far
 layout(location = 0) out vec4 oColor;
@@ -35,7 +36,7 @@ void main() {
     color = fract(vec3(0.618, 0.755, 0.570) * float(ids.r) + vec3(0.820, 0.671, 0.549) * float(ids.g));
   } else {
     vec4 found = texelFetch(uImage, texel, uLevel);
-    color = found.rgb;
+    color = uGrey ? found.rrr : found.rgb;
     if (uShown == 1) color = max(color, 0.0) / (1.0 + max(color, 0.0));
     if (uShown == 2) {
       float z = 2.0 * found.r - 1.0;
@@ -217,6 +218,7 @@ void Overlay::draw(GLuint texture, GLint level, Shown shown, const glm::ivec2& c
   const auto at = [&](const char* name) { return glGetUniformLocation(program_, name); };
   glUniform1i(at("uShown"), static_cast<GLint>(shown));
   glUniform1i(at("uLevel"), level);
+  glUniform1i(at("uGrey"), askLevel(level, GL_TEXTURE_GREEN_SIZE) == 0);
   glUniform4f(at("uTile"), float(corner.x), float(corner.y), float(size.x), float(size.y));
   glUniform2f(at("uRange"), range.x, range.y);
   glViewport(corner.x, corner.y, size.x, size.y);
