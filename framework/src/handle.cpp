@@ -23,49 +23,49 @@ template <class Generate> GLuint generate(Generate function, const char* what) {
 } // namespace
 
 GLuint TextureTraits::create() {
-  return generate(glGenTextures, "a Texture");
+  return generate(glad_glGenTextures, "a Texture");
 }
 void TextureTraits::destroy(GLuint name) {
   glDeleteTextures(1, &name);
 }
 
 GLuint RenderbufferTraits::create() {
-  return generate(glGenRenderbuffers, "a Renderbuffer");
+  return generate(glad_glGenRenderbuffers, "a Renderbuffer");
 }
 void RenderbufferTraits::destroy(GLuint name) {
   glDeleteRenderbuffers(1, &name);
 }
 
 GLuint FramebufferTraits::create() {
-  return generate(glGenFramebuffers, "a Framebuffer");
+  return generate(glad_glGenFramebuffers, "a Framebuffer");
 }
 void FramebufferTraits::destroy(GLuint name) {
   glDeleteFramebuffers(1, &name);
 }
 
 GLuint BufferTraits::create() {
-  return generate(glGenBuffers, "a Buffer");
+  return generate(glad_glGenBuffers, "a Buffer");
 }
 void BufferTraits::destroy(GLuint name) {
   glDeleteBuffers(1, &name);
 }
 
 GLuint VertexArrayTraits::create() {
-  return generate(glGenVertexArrays, "a VertexArray");
+  return generate(glad_glGenVertexArrays, "a VertexArray");
 }
 void VertexArrayTraits::destroy(GLuint name) {
   glDeleteVertexArrays(1, &name);
 }
 
 GLuint SamplerTraits::create() {
-  return generate(glGenSamplers, "a Sampler");
+  return generate(glad_glGenSamplers, "a Sampler");
 }
 void SamplerTraits::destroy(GLuint name) {
   glDeleteSamplers(1, &name);
 }
 
 GLuint ProgramTraits::create() {
-  requireWindow(glCreateProgram != nullptr, "a Program");
+  requireWindow(glad_glCreateProgram != nullptr, "a Program");
   return glCreateProgram();
 }
 void ProgramTraits::destroy(GLuint name) {
