@@ -191,9 +191,6 @@ void watchFrame() {
 std::vector<GLuint> frameEnds(const glm::ivec2& window) {
   if (!watch.on) return {};
   gladUninstallGLDebug();
-  int elsewhere = 0;
-  for (const auto& [framebuffer, target] : watch.targets)
-    if (framebuffer != 0) elsewhere += target.draws;
   if (const GLuint bound = boundForDrawing(); bound != 0)
     find("framebuffer object " + std::to_string(bound) +
          " is still bound at the end of the frame; the window needs "
@@ -206,15 +203,14 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
          ": what faces the eye is not drawn in the next frame. glCullFace(GL_BACK)" +
          watch.calledAt["glCullFace"]);
   if (watch.targets[0].draws == 0) {
-    find("nothing is drawn to the window" +
-         (elsewhere > 0 ? ": all " + std::to_string(elsewhere) +
-                              " draw calls of this frame go to framebuffer objects"
-                        : ": there is no draw call before the end of the frame"));
+    find(watch.drawnInto.empty()
+             ? "nothing is drawn to the window: there is no draw call before the end of the frame"
+             : "nothing is drawn to the window: all that this frame draws goes to framebuffer "
+               "objects");
   } else if (!watch.foundSomething && isOneColor(windowPicture(window))) {
-    find("all pixels of the window have one colour, though " +
-         std::to_string(watch.targets[0].draws) +
-         " draw calls reached it: what they draw lies out of view (gl_Position is projection * "
-         "view * model * position), is culled or hidden, or has the background's colour");
+    find("all pixels of the window have one colour, though something was drawn there: it lies out "
+         "of view (gl_Position is projection * view * model * position), is culled or hidden, or "
+         "has the background's colour");
     for (const std::string& text : watch.perhaps) say("perhaps: " + text);
   }
   std::vector<GLuint> drawnInto = std::move(watch.drawnInto);
