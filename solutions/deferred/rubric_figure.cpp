@@ -6,11 +6,12 @@
 
 #include "rubric_pictures.hpp"
 
+#include "rubric/light.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 using namespace deferred_rubric;
 
@@ -18,26 +19,23 @@ namespace {
 
 /// Where there is a surface, edges left out.
 const Mask& surfaces(const SceneEvidence& scene) {
-  static std::map<const SceneEvidence*, Mask> known;
-  const auto [entry, fresh] = known.try_emplace(&scene);
-  if (fresh) {
+  return remembered(&scene, [&] {
     const Image& ids = wanted(scene, "uIds")->image;
-    entry->second =
-        erode(differenceMask(ids, Image(ids.width(), ids.height(), ids.channels()), 0.5f), 1);
-  }
-  return entry->second;
+    return erode(differenceMask(ids, Image(ids.width(), ids.height(), ids.channels()), 0.5f), 1);
+  });
 }
 
 /// Pixels that no occlusion darkens: how many points are tested, and which, is everyone's own.
-Mask unoccluded(const View& view, std::size_t frame) {
-  const auto open = view.scene.probes.find("open");
-  const Image& reference = view.scene.reference.at(frame);
-  if (open == view.scene.probes.end()) return Mask(reference.width(), reference.height(), true);
-  return ~dilate(differenceMask(reference, open->second.at(frame), 1.5f / 255), 1);
+const Mask& unoccluded(const SceneEvidence& scene, std::size_t frame) {
+  const Image& reference = scene.reference.at(frame);
+  return remembered(&reference, [&] {
+    const Image& open = scene.probes.at("open").at(frame);
+    return ~dilate(differenceMask(reference, open, 1.5f / 255), 1);
+  });
 }
 
 Verdict window(const View& view) {
-  return picture(view, [&](std::size_t i) { return unoccluded(view, i); });
+  return picture(view, [&](std::size_t i) { return unoccluded(view.scene, i); });
 }
 
 GGRADE_ITEM("figure.picture", window);
@@ -49,22 +47,18 @@ struct Wanted {
   bool occluded = false; ///< does occlusion darken it?
 };
 
-/// The mean quality of the pictures that this scene has.
+/// Those of the pictures that this scene has.
 Verdict pictures(const View& view, const std::vector<Wanted>& all) {
-  double sum = 0, count = 0;
-  std::string message;
+  std::vector<Verdict> verdicts;
   for (const auto& [sampler, name, occluded] : all) {
     const Texture* right = wanted(view.scene, sampler);
     if (!right) continue;
     Mask region = surfaces(view.scene);
-    if (occluded) region = region & unoccluded(view, 0);
-    const Match best = bestMatch(view, *right, region, name, [](const Texture&) { return true; });
-    sum += best.quality;
-    ++count;
-    if (best.quality < 1) message += (message.empty() ? "" : "; ") + best.message;
+    if (occluded) region = region & unoccluded(view.scene, 0);
+    const auto any = [](const Texture&) { return true; };
+    verdicts.push_back(bestMatch(view, *right, region, name, any).verdict);
   }
-  if (count == 0) return {1, "this scene has none"};
-  return passesOrPicture({sum / count, message.empty() ? "all match" : message}, window(view));
+  return passesOrPicture(together(verdicts), window(view));
 }
 
 GGRADE_ITEM("figure.gbuffer", [](const View& view) {
@@ -72,27 +66,30 @@ GGRADE_ITEM("figure.gbuffer", [](const View& view) {
 });
 
 GGRADE_PASS("figure.gbuffer", [](const View& view) {
-  return outputOf(view, {"uNormals", "uIds", "uAlbedo"});
+  return outputOfObjects(view, {"uNormals", "uIds", "uAlbedo"});
 });
 
 GGRADE_ITEM("figure.irradiance", [](const View& view) {
   return pictures(view, {{"uIrradiance", "irradiance"}, {"uDiffuse", "diffuse light", true}});
 });
 
-GGRADE_PASS("figure.irradiance", [](const View& view) { return outputOf(view, {"uDiffuse"}); });
+GGRADE_PASS("figure.irradiance",
+            [](const View& view) { return outputOf(view.trace, {"uDiffuse"}); });
 
-/// Means over squares of 9 x 9 pixels, of the first channel, where `region` is.
+/// Means over squares of 9 x 9 pixels, of the first channel, where `region` is: which points are
+/// tested, and in which pixel, is everyone's own.
 Image smoothed(const Image& image, const Mask& region) {
   constexpr int kReach = 4;
   const int width = image.width(), height = image.height();
   Image out(width, height, 1);
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
+      if (!region.at(x, y)) continue;
       double sum = 0, count = 0;
       for (int v = std::max(y - kReach, 0); v <= std::min(y + kReach, height - 1); ++v)
         for (int u = std::max(x - kReach, 0); u <= std::min(x + kReach, width - 1); ++u)
           if (region.at(u, v)) sum += double(image.at(u, v, 0)), ++count;
-      if (region.at(x, y)) out.at(x, y) = float(sum / count);
+      out.at(x, y) = float(sum / count);
     }
   return out;
 }
@@ -105,48 +102,81 @@ double rms(const Image& a, const Image& b, const Mask& region) {
   return std::sqrt(sum / double(std::max<std::size_t>(region.count(), 1)));
 }
 
-/// The reference's occlusion, smoothed, and how far off an open world is.
-struct Occlusion {
-  Image wanted;
-  double open = 0; // RMS
+/// How open surfaces are in the reference, and where that can be told.
+struct Openness {
+  Mask region;
+  Image wanted;    // smoothed
+  double none = 0; // RMS that an open world is off by
 };
 
-const Occlusion& occlusionOf(const SceneEvidence& scene) {
-  static std::map<const SceneEvidence*, Occlusion> known;
-  const auto [entry, fresh] = known.try_emplace(&scene);
-  Occlusion& occlusion = entry->second;
-  if (fresh) {
-    const Mask& region = surfaces(scene);
-    occlusion.wanted = smoothed(wanted(scene, "uOcclusion")->image, region);
-    occlusion.open = rms(Image(occlusion.wanted.width(), occlusion.wanted.height(), 1, 1),
-                         occlusion.wanted, region);
-  }
-  return occlusion;
+Openness openness(const Image& open, const Mask& region) {
+  Openness all{region, smoothed(open, region)};
+  all.none = rms(Image(open.width(), open.height(), 1, 1), all.wanted, region);
+  return all;
+}
+
+/// As its texture has it.
+const Openness& inTexture(const SceneEvidence& scene) {
+  return remembered(&scene,
+                    [&] { return openness(wanted(scene, "uOcclusion")->image, surfaces(scene)); });
+}
+
+/// The light of a window's colours, which are sRGB encoded (IEC 61966-2-1).
+Image decoded(const Image& window) {
+  Image out = window;
+  for (float& value : out.values())
+    value = value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+  return out;
+}
+
+/// How open a window shows each pixel to be, by its light between no diffuse light and all of it.
+Image shownOpen(const SceneEvidence& scene, const Image& window, std::size_t frame) {
+  const Image none = decoded(scene.probes.at("mirrors only").at(frame));
+  const Image all = decoded(scene.probes.at("open").at(frame));
+  return visibility(decoded(window), {none, all});
+}
+
+/// As the window has it, where diffuse light makes a difference and none of it is cut off.
+const Openness& inWindow(const SceneEvidence& scene, std::size_t frame) {
+  const Image& window = scene.reference.at(frame);
+  return remembered(&window, [&] {
+    constexpr float kLeast = 40.0f / 255, kWhite = 0.99f;
+    const Image& open = scene.probes.at("open").at(frame);
+    Mask region = differenceMask(open, scene.probes.at("mirrors only").at(frame), kLeast);
+    for (int y = 0; y < open.height(); ++y)
+      for (int x = 0; x < open.width(); ++x)
+        if (*std::ranges::max_element(open.pixel(x, y)) > kWhite) region.set(x, y, false);
+    return openness(shownOpen(scene, window, frame), erode(region, 1));
+  });
 }
 
 /// Errors as a share of what no occlusion at all is off by: other points, and nothing of it.
 constexpr double kOtherPoints = 0.15, kNoOcclusion = 0.6;
 
-/// Smoothed, because which points are tested is everyone's own.
-GGRADE_ITEM("figure.occlusion", [](const View& view) -> Verdict {
-  const Occlusion& occlusion = occlusionOf(view.scene);
-  const Mask& region = surfaces(view.scene);
+/// How near to the reference a picture of the occlusion is.
+Verdict occlusion(const Image& open, const Openness& right, const std::string& where) {
+  const double off = rms(smoothed(open, right.region), right.wanted, right.region);
+  return {std::clamp((kNoOcclusion - off / right.none) / (kNoOcclusion - kOtherPoints), 0.0, 1.0),
+          fmt::format("occlusion in {} is off by {:.3f} (RMS); none at all by {:.3f}", where, off,
+                      right.none)};
+}
+
+GGRADE_ITEM("figure.occlusion", [](const View& view) {
   Verdict best{0, "no pass draws it into a texture that a later pass reads"};
-  double least = occlusion.open;
   for (const Texture& found : texturesOf(view.trace, view.scene.reference.at(0))) {
     if (drewObjects(*found.drawn.pass) || findNonFinite(found.image)) continue;
-    const double off = rms(smoothed(found.image, region), occlusion.wanted, region);
-    if (off >= least) continue;
-    least = off;
-    best = {
-        std::clamp((kNoOcclusion - off / occlusion.open) / (kNoOcclusion - kOtherPoints), 0.0, 1.0),
-        fmt::format("occlusion is off by {:.3f} (RMS); none at all by {:.3f}", off,
-                    occlusion.open)};
+    const Verdict one = occlusion(found.image, inTexture(view.scene), "a texture");
+    if (one.quality > best.quality) best = one;
   }
-  return best;
+  const Verdict window = worstFrame(view, [&](std::size_t i) {
+    return occlusion(shownOpen(view.scene, view.frames.at(i), i), inWindow(view.scene, i),
+                     "the window");
+  });
+  return passesOrPicture(best, window);
 });
 
-GGRADE_PASS("figure.occlusion", [](const View& view) { return outputOf(view, {"uOcclusion"}); });
+GGRADE_PASS("figure.occlusion",
+            [](const View& view) { return outputOf(view.trace, {"uOcclusion"}); });
 
 GGRADE_ITEM("figure.reflection", [](const View& view) {
   return pictures(view, {{"uReflected", "reflected directions"},
@@ -154,12 +184,15 @@ GGRADE_ITEM("figure.reflection", [](const View& view) {
                          {"uReflection", "reflection"}});
 });
 
-GGRADE_PASS("figure.reflection", [](const View& view) { return outputOf(view, {"uReflection"}); });
+GGRADE_PASS("figure.reflection",
+            [](const View& view) { return outputOf(view.trace, {"uReflection"}); });
 
 GGRADE_ITEM("figure.composition", [](const View& view) {
   return pictures(view, {{"uComposition", "composition", true}});
 });
 
 GGRADE_ITEM("figure.keep_state", sameAgain);
+
+GGRADE_ITEM("figure.keep_following", outlinesFollow);
 
 } // namespace

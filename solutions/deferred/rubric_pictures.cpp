@@ -1,9 +1,11 @@
 #include "rubric_pictures.hpp"
 
+#include "rubric/follows.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 namespace deferred_rubric {
 
@@ -12,25 +14,42 @@ namespace {
 /// Of stored light: more is white in the window, whatever is added.
 constexpr float kMostLight = 4;
 
-Image cutOff(const Image& image) {
-  Image out = firstChannels(image, 3);
+/// RGB as it was copied; light is cut off, whole numbers are not.
+Image pixelsOf(const trace::Trace& trace, const trace::CopyRecord& copy) {
+  Image out = firstChannels(trace.image(copy), 3);
+  const auto type = trace::PixelType(copy.type);
+  if (type == trace::PixelType::i32x4 || type == trace::PixelType::u32x4) return out;
   for (float& value : out.values()) value = std::clamp(value, -kMostLight, kMostLight);
   return out;
+}
+
+/// Pixels much brighter or darker than the one on the left or above.
+Mask outlines(const View& view, std::size_t frame) {
+  constexpr float kContrast = 0.15f;
+  const Image& window = view.frames.at(frame);
+  Mask mask(window.width(), window.height());
+  for (int y = 1; y < window.height(); ++y)
+    for (int x = 1; x < window.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        if (std::abs(window.at(x, y, c) - window.at(x - 1, y, c)) > kContrast ||
+            std::abs(window.at(x, y, c) - window.at(x, y - 1, c)) > kContrast)
+          mask.set(x, y);
+  return mask;
 }
 
 } // namespace
 
 const std::vector<Texture>& texturesOf(const trace::Trace& trace, const Image& window) {
-  static std::map<const trace::Trace*, std::vector<Texture>> known;
-  const auto [entry, fresh] = known.try_emplace(&trace);
-  if (!fresh) return entry->second;
-  for (const Drawn& drawn : sampledLater(trace)) {
-    const bool whole =
-        int(drawn.copy->width) == window.width() && int(drawn.copy->height) == window.height();
-    if (drawn.attachment >= trace::kColors || !whole) continue;
-    entry->second.push_back({drawn, cutOff(trace.image(*drawn.copy))});
-  }
-  return entry->second;
+  return remembered(&trace, [&] {
+    std::vector<Texture> all;
+    for (const Drawn& drawn : sampledLater(trace)) {
+      const bool whole =
+          int(drawn.copy->width) == window.width() && int(drawn.copy->height) == window.height();
+      if (drawn.attachment < trace::kColors && whole)
+        all.push_back({drawn, pixelsOf(trace, *drawn.copy)});
+    }
+    return all;
+  });
 }
 
 const Texture* wanted(const SceneEvidence& scene, const std::string& sampler) {
@@ -40,12 +59,26 @@ const Texture* wanted(const SceneEvidence& scene, const std::string& sampler) {
   return last;
 }
 
-std::vector<PassOutput> outputOf(const View& view, const std::vector<std::string>& samplers) {
+std::vector<PassOutput> outputOf(const trace::Trace& trace,
+                                 const std::vector<std::string>& samplers) {
   std::vector<PassOutput> outputs;
   for (const std::string& sampler : samplers)
-    for (const Drawn& drawn : sampledLater(view.trace))
+    for (const Drawn& drawn : sampledLater(trace))
       if (drawn.uniform == sampler) outputs.push_back({drawn.copy->pass, drawn.attachment});
   return outputs;
+}
+
+std::vector<PassOutput> outputOfObjects(const View& view,
+                                        const std::vector<std::string>& samplers) {
+  const std::vector<PassOutput> own = outputOf(view.trace, samplers);
+  std::vector<PassOutput> right = outputOf(view.scene.referenceTrace, samplers);
+  if (own.size() == right.size() || view.trace.frames.empty()) return own;
+  for (const trace::PassRecord& pass : view.trace.passesOf(0)) {
+    if (pass.framebuffer == 0 || !drewObjects(pass)) continue;
+    for (PassOutput& output : right) output.pass = view.trace.indexOf(pass);
+    return right;
+  }
+  return {};
 }
 
 Match match(const Texture& found, const Texture& right, const Mask& region,
@@ -53,9 +86,22 @@ Match match(const Texture& found, const Texture& right, const Mask& region,
   CompareOptions options;
   options.mask = &region;
   const Comparison comparison = compare(found.image, right.image, options);
-  return {comparison.compared() ? qualityOf(comparison.wrongShare) : 0, &found,
-          fmt::format("{}: {:.1f}% of {} pixels differ{}", name, 100 * comparison.wrongShare,
-                      comparison.judgedPixels, densestAt(comparison.densest))};
+  return {{comparison.compared() ? qualityOf(comparison.wrongShare) : 0,
+           fmt::format("{}: {:.1f}% of {} pixels differ{}", name, 100 * comparison.wrongShare,
+                       comparison.judgedPixels, densestAt(comparison.densest))},
+          &found};
+}
+
+Verdict together(const std::vector<Verdict>& pictures) {
+  if (pictures.empty()) return {1, "this scene has none"};
+  double worst = 1, sum = 0;
+  std::string message;
+  for (const Verdict& one : pictures) {
+    worst = std::min(worst, one.quality);
+    sum += one.quality;
+    if (one.quality < 1) message += (message.empty() ? "" : "; ") + one.message;
+  }
+  return {(worst + sum / double(pictures.size())) / 2, message.empty() ? "all match" : message};
 }
 
 Verdict passesOrPicture(const Verdict& passes, const Verdict& picture) {
@@ -65,7 +111,7 @@ Verdict passesOrPicture(const Verdict& passes, const Verdict& picture) {
 
 Verdict sameAgain(const View& view) {
   // What noise may differ, and at which share nothing is left: the same program draws the same.
-  constexpr double kNoise = 0.001, kAllLeft = 0.01;
+  constexpr double kNoise = 0.001, kAllLeft = 0.006;
   const rubric::Frames& reference = view.scene.reference;
   for (std::size_t i = view.frames.size() - 1; i > 0; --i) {
     if (compare(reference[i], reference[0]).wrongPixels > 0) continue;
@@ -76,6 +122,10 @@ Verdict sameAgain(const View& view) {
                         i + 1, 100 * changed.wrongShare, densestAt(changed.densest))};
   }
   return {1, "nothing is where it was again"};
+}
+
+Verdict outlinesFollow(const View& view) {
+  return follows(view, outlines, "outlines");
 }
 
 } // namespace deferred_rubric

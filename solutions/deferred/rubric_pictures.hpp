@@ -4,6 +4,7 @@
 #include "rubric/measures.hpp"
 #include "rubric/passes.hpp"
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,16 @@ namespace deferred_rubric {
 using namespace ggrade;
 using namespace ggrade::rubric;
 
+/// What `make()` says of something that stays where it is (a scene, a frame, a trace): worked out
+/// once, however many items ask. One table for each place that calls it.
+template <class Make> const auto& remembered(const void* of, Make make) {
+  static std::map<const void*, decltype(make())> known;
+  const auto found = known.find(of);
+  return found != known.end() ? found->second : known.emplace(of, make()).first->second;
+}
+
 /// A colour texture that a pass of the first frame drew and a later one read. RGB, as stored, but
-/// nothing beyond -4 to 4: more is cut off in the window anyway.
+/// of light nothing beyond -4 to 4: more is cut off in the window anyway.
 struct Texture {
   Drawn drawn;
   Image image;
@@ -26,13 +35,18 @@ const std::vector<Texture>& texturesOf(const trace::Trace& trace, const Image& w
 const Texture* wanted(const SceneEvidence& scene, const std::string& sampler);
 
 /// Where that texture lies in any trace; empty if it has none under this name.
-std::vector<PassOutput> outputOf(const View& view, const std::vector<std::string>& samplers);
+std::vector<PassOutput> outputOf(const trace::Trace& trace,
+                                 const std::vector<std::string>& samplers);
+
+/// The same of textures that objects are drawn into. Where some of them are attached but not drawn
+/// into, as without glDrawBuffers: all that the reference's pass draws, in the first pass that
+/// draws objects into textures.
+std::vector<PassOutput> outputOfObjects(const View& view, const std::vector<std::string>& samplers);
 
 /// How right the submission's best texture is, where `region` says.
 struct Match {
-  double quality = 0;
-  const Texture* texture = nullptr;
-  std::string message;
+  Verdict verdict;
+  const Texture* texture = nullptr; ///< null: there is none that comes into question
 };
 /// `accept(texture)` says which ones come into question; `name` stands in the message.
 template <class Accept>
@@ -46,14 +60,18 @@ Match match(const Texture& found, const Texture& right, const Mask& region,
 template <class Accept>
 Match bestMatch(const View& view, const Texture& right, const Mask& region, const std::string& name,
                 Accept accept) {
-  Match best{0, nullptr, name + ": no pass draws it into a texture that a later pass reads"};
+  Match best{{0, name + ": no pass draws it into a texture that a later pass reads"}};
   for (const Texture& found : texturesOf(view.trace, view.scene.reference.at(0))) {
     if (!accept(found)) continue;
     const Match one = match(found, right, region, name);
-    if (!best.texture || one.quality > best.quality) best = one;
+    if (!best.texture || one.verdict.quality > best.verdict.quality) best = one;
   }
   return best;
 }
+
+/// What several pictures are worth together: half of it the worst of them, half of it their mean.
+/// One that is wrong costs most of it, but those that are right are worth something.
+Verdict together(const std::vector<Verdict>& pictures);
 
 /// The window against the reference, where `region(frame)` says; the worst frame.
 template <class Region> Verdict picture(const View& view, Region region) {
@@ -65,7 +83,7 @@ template <class Region> Verdict picture(const View& view, Region region) {
 }
 
 /// A picture as right as this is made by passes that are right, in whatever way.
-inline constexpr double kRightPicture = 0.9;
+inline constexpr double kRightPicture = 0.97;
 
 /// What the passes show, or the picture if that is right.
 Verdict passesOrPicture(const Verdict& passes, const Verdict& picture);
@@ -73,5 +91,8 @@ Verdict passesOrPicture(const Verdict& passes, const Verdict& picture);
 /// Is a later frame that must be the very same as the first one the same? The program is compared
 /// with itself, whatever it shows.
 Verdict sameAgain(const View& view);
+
+/// Do outlines in the window change place when time passes? Likewise with itself.
+Verdict outlinesFollow(const View& view);
 
 } // namespace deferred_rubric

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
 using namespace deferred_rubric;
 
@@ -23,14 +22,16 @@ constexpr float kLeastLight = 4.0f / 255;
 
 /// Where objects are seen, edges left out.
 const Mask& objects(const SceneEvidence& scene, std::size_t frame) {
-  static std::map<std::pair<const SceneEvidence*, std::size_t>, Mask> known;
-  const auto [entry, fresh] = known.try_emplace({&scene, frame});
-  if (fresh) entry->second = erode(shown(scene.probes.at("objects").at(frame)), 1);
-  return entry->second;
+  const Image& probe = scene.probes.at("objects").at(frame);
+  return remembered(&probe, [&] { return erode(shown(probe), 1); });
 }
 
 Verdict window(const View& view) {
   return picture(view, [&](std::size_t i) { return objects(view.scene, i); });
+}
+
+bool ofObjects(const Texture& texture) {
+  return drewObjects(*texture.drawn.pass);
 }
 
 /// The textures that hold the kinds, and how right they are.
@@ -40,33 +41,29 @@ struct Kinds {
 };
 
 Kinds kindsOf(const View& view) {
+  std::vector<Verdict> verdicts;
   Kinds kinds;
-  double sum = 0;
   for (const auto& [sampler, name] : kKinds) {
     const Texture* right = wanted(view.scene, sampler);
     if (!right) continue; // this scene has none
     // Where there is such light; elsewhere any dark texture would do.
     const Image none(right->image.width(), right->image.height(), 3);
     const Mask lit = dilate(differenceMask(right->image, none, kLeastLight), 1);
-    const Match best =
-        bestMatch(view, *right, lit & objects(view.scene, 0), name,
-                  [](const Texture& texture) { return drewObjects(*texture.drawn.pass); });
-    sum += best.quality;
+    const Mask region = lit & objects(view.scene, 0);
+    if (tooSmall(region)) continue;
+    const Match best = bestMatch(view, *right, region, name, ofObjects);
+    verdicts.push_back(best.verdict);
     if (best.texture) kinds.textures.push_back(best.texture);
-    if (best.quality < 1)
-      kinds.verdict.message += (kinds.verdict.message.empty() ? "" : "; ") + best.message;
-    kinds.verdict.quality += 1;
   }
-  kinds.verdict.quality = sum / std::max(kinds.verdict.quality, 1.0);
-  if (kinds.verdict.message.empty()) kinds.verdict.message = "all kinds of light are there";
+  kinds.verdict = together(verdicts);
   return kinds;
 }
 
 GGRADE_ITEM("targets.kinds",
             [](const View& view) { return passesOrPicture(kindsOf(view).verdict, window(view)); });
 
-GGRADE_PASS("targets.kinds", [](const View& view) -> std::vector<PassOutput> {
-  return outputOf(view, {"uDiffuse", "uSpecular", "uAmbient"});
+GGRADE_PASS("targets.kinds", [](const View& view) {
+  return outputOfObjects(view, {"uDiffuse", "uSpecular", "uAmbient"});
 });
 
 GGRADE_ITEM("targets.once", [](const View& view) -> Verdict {
@@ -80,24 +77,49 @@ GGRADE_ITEM("targets.once", [](const View& view) -> Verdict {
                                      " textures; " + kinds.verdict.message};
 });
 
-GGRADE_ITEM("targets.compose", window);
+/// Where a window without this kind of light would look different.
+Mask matters(const SceneEvidence& scene, const Texture& kind) {
+  const Image& window = scene.reference.at(0);
+  Image without(window.width(), window.height(), 3);
+  for (const auto& [sampler, name] : kKinds) {
+    const Texture* other = wanted(scene, sampler);
+    if (!other || other == &kind) continue;
+    for (std::size_t i = 0; i < without.values().size(); ++i)
+      without.values()[i] += other->image.values()[i];
+  }
+  for (float& value : without.values()) value = std::min(value, 1.0f);
+  return differenceMask(window, without, 4 * kTolerance);
+}
 
-/// Where the filter takes more than there is, and one pixel around it: what is less than 0 there is
-/// another item's.
-Mask negative(const SceneEvidence& scene) {
-  const Image& light = wanted(scene, "uDiffuse")->image;
-  const int width = light.width(), height = light.height();
-  Mask mask(width, height);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      for (int c = 0; c < 3; ++c) {
-        const auto at = [&](int u, int v) {
-          return light.at(std::clamp(u, 0, width - 1), std::clamp(v, 0, height - 1), c);
-        };
-        const float sum = 5 * at(x, y) - at(x - 1, y) - at(x + 1, y) - at(x, y - 1) - at(x, y + 1);
-        if (sum < -kTolerance) mask.set(x, y);
-      }
-  return dilate(mask, 1);
+/// Highlights are small: each kind of light counts where it is seen, and the whole picture, too.
+GGRADE_ITEM("targets.compose", [](const View& view) {
+  std::vector<Verdict> kinds;
+  for (const auto& [sampler, name] : kKinds) {
+    const Texture* kind = wanted(view.scene, sampler);
+    if (!kind) continue;
+    const Mask region = matters(view.scene, *kind) & objects(view.scene, 0);
+    if (!tooSmall(region))
+      kinds.push_back(within(view, 0, region, std::string("where there is ") + name));
+  }
+  const Verdict seen = together(kinds), all = window(view);
+  return seen.quality < all.quality ? seen : all;
+});
+
+/// Where emphasising the edges makes a difference.
+Mask edges(const SceneEvidence& scene, std::size_t frame) {
+  return differenceMask(scene.reference.at(frame), scene.probes.at("no edges").at(frame),
+                        kTolerance);
+}
+
+/// Where the filter takes all there is, or more, and one pixel around it: what is less than 0 there
+/// is another item's.
+Mask negative(const SceneEvidence& scene, std::size_t frame) {
+  const Image& filtered = scene.probes.at("diffuse alone").at(frame);
+  Mask mask(filtered.width(), filtered.height());
+  for (int y = 0; y < filtered.height(); ++y)
+    for (int x = 0; x < filtered.width(); ++x)
+      mask.set(x, y, *std::ranges::min_element(filtered.pixel(x, y)) <= 0);
+  return dilate(mask & edges(scene, frame), 1);
 }
 
 /// Pixels that have a neighbour outside the window.
@@ -108,27 +130,26 @@ Mask border(const Image& window) {
   return ~inner;
 }
 
-/// What the border is worth: there it shows what the textures say of neighbours that aren't there.
-constexpr double kBorder = 0.2;
-
-// The first frame: only there are the textures known.
-GGRADE_ITEM("targets.edges", [](const View& view) -> Verdict {
-  const Image& reference = view.scene.reference.at(0);
-  const Mask ordinary = ~negative(view.scene);
-  const Mask edges =
-      differenceMask(reference, view.scene.probes.at("no edges").at(0), kTolerance) & ordinary;
-  const Verdict inner = within(view, 0, edges, "edges");
-  const Verdict outer = within(view, 0, border(reference) & ordinary, "the window's border");
-  return {inner.quality * (1 - kBorder + kBorder * outer.quality),
-          inner.message + "; " + outer.message};
+GGRADE_ITEM("targets.edges", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) {
+    return within(view, i, edges(view.scene, i) & ~negative(view.scene, i), "edges");
+  });
 });
 
-GGRADE_ITEM("targets.negative", [](const View& view) -> Verdict {
-  const Mask region =
-      negative(view.scene) & differenceMask(view.scene.reference.at(0),
-                                            view.scene.probes.at("no edges").at(0), kTolerance);
-  if (tooSmall(region)) return {1, "the filter takes nowhere more than there is"};
-  return within(view, 0, region, "where the filter takes more than there is");
+/// There a filter shows what the textures say of neighbours that aren't there.
+GGRADE_ITEM("targets.border", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) {
+    const Mask region = border(view.scene.reference.at(i)) & ~negative(view.scene, i);
+    return within(view, i, region, "the window's border");
+  });
+});
+
+GGRADE_ITEM("targets.negative", [](const View& view) {
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Mask region = edges(view.scene, i) & negative(view.scene, i);
+    if (tooSmall(region)) return {1, "the filter takes nowhere more than there is"};
+    return within(view, i, region, "where the filter takes more than there is");
+  });
 });
 
 /// Pixels whose light is above what 8 bits a channel hold.
@@ -140,15 +161,17 @@ Mask aboveOne(const Image& image) {
   return mask;
 }
 
-GGRADE_ITEM("targets.bright", [](const View& view) -> Verdict {
+GGRADE_ITEM("targets.bright", [](const View& view) {
   const Texture& right = *wanted(view.scene, "uDiffuse");
-  const Match best = bestMatch(
-      view, right, aboveOne(right.image) & objects(view.scene, 0), "diffuse light above 1",
-      [](const Texture& texture) { return drewObjects(*texture.drawn.pass); });
-  const Mask matters =
-      differenceMask(view.scene.reference.at(0), view.scene.probes.at("8 bits").at(0), kTolerance);
-  if (tooSmall(matters)) return {best.quality, best.message};
-  return passesOrPicture({best.quality, best.message}, within(view, 0, matters, "window"));
+  const Match best = bestMatch(view, right, aboveOne(right.image) & objects(view.scene, 0),
+                               "diffuse light above 1", ofObjects);
+  const Verdict window = worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Mask matters = differenceMask(view.scene.reference.at(i),
+                                        view.scene.probes.at("8 bits").at(i), kTolerance);
+    if (tooSmall(matters)) return {0, "8 bits would do in this frame"};
+    return within(view, i, matters, "window");
+  });
+  return passesOrPicture(best.verdict, window);
 });
 
 /// Share of the background that isn't what it was.
@@ -173,5 +196,7 @@ GGRADE_ITEM("targets.keep_background", [](const View& view) {
 });
 
 GGRADE_ITEM("targets.keep_state", sameAgain);
+
+GGRADE_ITEM("targets.keep_following", outlinesFollow);
 
 } // namespace
