@@ -6,6 +6,13 @@
 
 namespace ggrade::rubric {
 
+namespace {
+
+/// Share of the pixels that differ between two frames of a scene that moves.
+constexpr double kMoves = 0.002;
+
+} // namespace
+
 double qualityOf(double wrongShare, double nothingLeft) {
   return std::clamp((nothingLeft - wrongShare) / (nothingLeft - kOtherWays), 0.0, 1.0);
 }
@@ -34,6 +41,16 @@ Verdict within(const View& view, std::size_t frame, const Mask& region, const st
   return {quality,
           fmt::format("{}: {:.1f}% of {} pixels differ{}", what, 100 * comparison.wrongShare,
                       comparison.judgedPixels, densestAt(comparison.densest))};
+}
+
+bool frozen(const View& view) {
+  const Frames& reference = view.scene.reference;
+  bool moves = false;
+  for (std::size_t i = 1; i < view.frames.size(); ++i) {
+    if (!std::ranges::equal(view.frames[i].values(), view.frames[0].values())) return false;
+    moves = moves || compare(reference.at(i), reference.at(0)).wrongShare > kMoves;
+  }
+  return moves;
 }
 
 bool tooSmall(const Mask& region) {

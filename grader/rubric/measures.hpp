@@ -38,6 +38,10 @@ std::string densestAt(const Window& window);
 /// The tolerant comparison with the reference inside `region`, as a verdict.
 Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what);
 
+/// Do all frames show the very same, although the reference's don't? That is a picture, and no
+/// program: nothing of it is worth anything.
+bool frozen(const View& view);
+
 /// A region so small that a frame can't show the item.
 bool tooSmall(const Mask& region);
 

@@ -14,8 +14,6 @@ constexpr float kLeastLight = 10.0f / 255;
 /// The same on the caster: near where a smooth surface turns away from the light, its flat faces
 /// have turned already, and a volume may begin before or behind them.
 constexpr float kLeastOnCaster = 24.0f / 255;
-/// Share of the reference's pixels by which frames differ visibly.
-constexpr double kVisibleChange = 0.002;
 /// Stencils that are looked at. A right program has two.
 constexpr std::size_t kMostStencils = 16;
 
@@ -68,16 +66,6 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
 
 Mask shadowIn(const View& view, std::size_t frame) {
   return below(visibility(view.frames.at(frame), lightOf(view, frame)), 0.5f);
-}
-
-bool frozen(const View& view) {
-  const Frames& reference = view.scene.reference;
-  bool moves = false;
-  for (std::size_t i = 1; i < reference.size(); ++i) {
-    if (!std::ranges::equal(view.frames[i].values(), view.frames[0].values())) return false;
-    moves = moves || compare(reference[i], reference[0]).wrongShare > kVisibleChange;
-  }
-  return moves;
 }
 
 Verdict agree(const View& view, std::size_t frame, const Mask& found, const std::string& name) {

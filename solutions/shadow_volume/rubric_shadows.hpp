@@ -33,10 +33,6 @@ const Image& wanted(const SceneEvidence& scene, std::size_t frame);
 /// Pixels that get less than half of the light in one of the view's frames.
 Mask shadowIn(const View& view, std::size_t frame);
 
-/// Do all frames show the very same, although the reference's don't? That is a picture, and no
-/// program: nothing of it is worth anything.
-bool frozen(const View& view);
-
 /// Do the pixels of `found` lie in shadow where the reference has one? The worse of walls and
 /// caster.
 ///   name: of the place where they were found
