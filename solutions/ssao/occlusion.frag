@@ -97,6 +97,7 @@ float openByHorizons(vec3 position, vec3 normal) {
     for (int side = -1; side <= 1; side += 2) {
       float tilt = clamp(atan(float(side) * forward, up), -0.5 * kPi, 0.5 * kPi);
       float horizon = 0.5 * kPi + tilt; // of the surface itself
+      float last = -1.0;                // distance of what raised it last, if anything has
       for (int i = 0; i < steps; ++i) {
         float part = (float(i) + fract(5.0 * dither() + 1.0 / 32.0)) / float(steps);
         vec2 at = vec2(here()) + 0.5 + float(side) * reach * part * part * across;
@@ -107,9 +108,10 @@ float openByHorizons(vec3 position, vec3 normal) {
         if (far >= uRadius || dot(to, normal) <= 0.01 * far) continue;
         float seen = atan(length(to - toEye * dot(to, toEye)), dot(to, toEye));
         if (seen >= horizon) continue;
-        hidden += (1.0 - far / uRadius) * length(vec2(up, forward)) *
+        float mean = last < 0.0 ? far : 0.5 * (last + far);
+        hidden += (1.0 - mean / uRadius) * length(vec2(up, forward)) *
                   (arc(horizon, tilt) - arc(seen, tilt)) / float(slices);
-        horizon = seen;
+        horizon = seen, last = far;
       }
     }
   }
