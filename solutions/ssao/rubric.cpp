@@ -38,29 +38,41 @@ std::string keptOut(double apart) {
   return fmt::format("differs from the reference by {:.0f}% of what that keeps out", 100 * apart);
 }
 
+/// An item about the first frame: nothing of it is worth anything if later ones are the same.
+Judge moving(Judge judge) {
+  return [judge = std::move(judge)](const View& view) -> Verdict {
+    if (frozen(view)) return {0, "the picture stays as it is, although time passes"};
+    return judge(view);
+  };
+}
+
 // ---- position, samples, range: the occlusion itself
 
-constexpr double kPointsFree = 0.25, kPointsGone = 0.42;
+constexpr double kPointsFree = 0.3, kPointsGone = 0.42;
+/// Of positions that aren't shown: the reference's own points would find nearly the same.
+constexpr double kOtherwiseFree = 0.1, kOtherwiseGone = 0.25;
 
-GGRADE_ITEM("ssao.position", [](const View& view) {
+Verdict positions(const View& view) {
   Verdict verdict = within(view, 0, regionsOf(view.scene, 0).covered, "positions");
   // Positions that are kept in another way still make the right occlusion.
   double least = 1;
   for (const Opening& opening : openings(view))
     least = std::min(least, likeness(view, opening.open));
-  const double otherwise = qualityOf(least, kPointsFree, kPointsGone);
+  const double otherwise = qualityOf(least, kOtherwiseFree, kOtherwiseGone);
   if (otherwise > verdict.quality) verdict = {otherwise, "the occlusion " + keptOut(least)};
   return verdict;
-});
+}
+GGRADE_ITEM("ssao.position", moving(positions));
 
-GGRADE_ITEM("ssao.samples", [](const View& view) -> Verdict {
+Verdict pointsCounted(const View& view) {
   const double least = best(view, [&](const Image& open) { return likeness(view, open); });
   return {qualityOf(least, kPointsFree, kPointsGone), "the occlusion " + keptOut(least)};
-});
+}
+GGRADE_ITEM("ssao.samples", moving(pointsCounted));
 
 /// Less is open, and more than this too dark: a seam.
 constexpr float kOpen = 0.9f, kSeam = 0.06f;
-constexpr double kSeamsFree = 0.07, kSeamsGone = 0.16;
+constexpr double kSeamsFree = 0.1, kSeamsGone = 0.18;
 
 /// The pixels that are open in the reference, and those of them that are too dark in `open`.
 struct Seams {
@@ -78,7 +90,7 @@ Seams seams(const View& view, const Image& open) {
   return all;
 }
 
-GGRADE_ITEM("ssao.range", [](const View& view) -> Verdict {
+Verdict rangeChecked(const View& view) {
   const Image open = shownOpen(view, 0);
   const auto [wanted, dark] = seams(view, open);
   // As a share of what lies near an edge, where seams are.
@@ -86,10 +98,11 @@ GGRADE_ITEM("ssao.range", [](const View& view) -> Verdict {
   const double share =
       double((dark & near).count()) / double(std::max<std::size_t>(near.count(), 1));
   const double like = likeness(view, open);
-  return {qualityOf(like, 0.4, 1) * qualityOf(share, kSeamsFree, kSeamsGone),
+  return {qualityOf(like, 0.5, 1) * qualityOf(share, kSeamsFree, kSeamsGone),
           fmt::format("{:.0f}% of the open surface near edges is too dark{}; the occlusion {}",
                       100 * share, densestAt(densestWindow(dark)), keptOut(like))};
-});
+}
+GGRADE_ITEM("ssao.range", moving(rangeChecked));
 
 /// The first texture that a pass over the whole screen left: what is blurred.
 GGRADE_PASS("ssao.range", [](const View& view) -> std::vector<PassOutput> {
@@ -101,7 +114,8 @@ GGRADE_PASS("ssao.range", [](const View& view) -> std::vector<PassOutput> {
 // ---- blur
 
 constexpr double kNoiseFree = 0.15, kNoiseGone = 0.4;
-constexpr double kEdgesFree = 0.12, kEdgesGone = 0.23;
+/// As shares of what a blur across edges makes wrong near them.
+constexpr double kEdgesFree = 0.6, kEdgesGone = 0.9;
 
 /// What a blur that keeps edges makes of it: the mean of the pixels nearby that show the same
 /// surface, by its normal and colour.
@@ -129,21 +143,33 @@ Image blurredWell(const Image& open, const View& view) {
   return out;
 }
 
+/// How far a blur of the reference's noise that doesn't look at what pixels show is from the
+/// reference, near edges.
+double lostAcross(const View& view) {
+  const Regions& regions = regionsOf(view.scene, 0);
+  const View reference{view.scene, view.scene.reference, view.scene.referenceTrace};
+  const Image noise = openings(reference).at(0).open;
+  const Mask everywhere(noise.width(), noise.height(), true);
+  const int reach = view.scene.scene.at("quality").at("blur").get<int>();
+  return apart(smoothed(noise, everywhere, reach), regions.open, regions.covered & regions.edges);
+}
+
 /// Pixel by pixel: noise counts, and so do edges that are lost.
-Verdict blurred(const View& view, const Image& open, const Image& wanted) {
+///   across: see lostAcross
+Verdict blurred(const View& view, const Image& open, const Image& wanted, double across) {
   const Regions& regions = regionsOf(view.scene, 0);
   const double noise = apart(open, wanted, regions.covered & ~regions.edges);
   const double edges = apart(open, wanted, regions.covered & regions.edges);
-  return {
-      std::min(qualityOf(noise, kNoiseFree, kNoiseGone), qualityOf(edges, kEdgesFree, kEdgesGone)),
-      fmt::format("the occlusion differs from a blur by {:.0f}% of what it keeps out, near "
-                  "edges by {:.0f}%",
-                  100 * noise, 100 * edges)};
+  return {std::min(qualityOf(noise, kNoiseFree, kNoiseGone),
+                   qualityOf(edges / across, kEdgesFree, kEdgesGone)),
+          fmt::format("the occlusion differs from a blur by {:.0f}% of what it keeps out, near "
+                      "edges by {:.0f}% ({:.0f}% would be a blur across them)",
+                      100 * noise, 100 * edges, 100 * across)};
 }
 
 /// In the window or in any texture; as the reference's, or as a blur makes it of the submission's
 /// own noise.
-GGRADE_ITEM("ssao.blur", [](const View& view) {
+Verdict blurredAtLast(const View& view) {
   const Regions& regions = regionsOf(view.scene, 0);
   const std::vector<Opening> all = openings(view);
   std::vector<Image> found = {openInWindow(view, 0)}, wanted = {regions.open};
@@ -153,14 +179,16 @@ GGRADE_ITEM("ssao.blur", [](const View& view) {
     // Next to nothing has no noise to be removed.
     if (apart(own, regions.open, regions.covered) < 0.7) wanted.push_back(own);
   }
+  const double across = lostAcross(view);
   Verdict best{-1, ""};
   for (const Image& one : found)
     for (const Image& goal : wanted) {
-      const Verdict verdict = blurred(view, one, goal);
+      const Verdict verdict = blurred(view, one, goal, across);
       if (verdict.quality > best.quality) best = verdict;
     }
   return best;
-});
+}
+GGRADE_ITEM("ssao.blur", moving(blurredAtLast));
 
 // ---- what the light makes of it
 
@@ -188,13 +216,14 @@ Verdict applied(const View& view) {
                       100 * least)};
 }
 
-GGRADE_ITEM("ssao.apply", applied);
-GGRADE_ITEM("ssao.direct", applied);
+GGRADE_ITEM("ssao.apply", moving(applied));
+GGRADE_ITEM("ssao.direct", moving(applied));
 
-GGRADE_ITEM("ssao.horizons", [](const View& view) -> Verdict {
+Verdict byHorizons(const View& view) {
   const double least = best(view, [&](const Image& open) { return likeness(view, open); });
   return {qualityOf(least, 0.08, 0.25), "the occlusion " + keptOut(least)};
-});
+}
+GGRADE_ITEM("ssao.horizons", moving(byHorizons));
 
 // ---- what must stay
 
