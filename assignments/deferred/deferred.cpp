@@ -28,15 +28,15 @@ namespace {
 
 constexpr float kFarthest = 1; // depth
 
-// Which of the figure's pictures the window shows: the scene's debug.picture, until the right or
-// left arrow key goes on or back from it.
+// Which of the figure's pictures the window shows: the scene's debug.picture, until Page Down or
+// Page Up goes on or back from it.
 class ShownPicture {
 public:
   explicit ShownPicture(const gg::Scene& scene) : number_(scene.integer("debug.picture")) {}
 
   Picture next(const gg::Window& window) {
-    const int step = (glfwGetKey(window.handle(), GLFW_KEY_RIGHT) == GLFW_PRESS) -
-                     (glfwGetKey(window.handle(), GLFW_KEY_LEFT) == GLFW_PRESS);
+    const int step = (glfwGetKey(window.handle(), GLFW_KEY_PAGE_DOWN) == GLFW_PRESS) -
+                     (glfwGetKey(window.handle(), GLFW_KEY_PAGE_UP) == GLFW_PRESS);
     if (step != before_) number_ = (number_ + step + kCount) % kCount;
     before_ = step;
     return number_ == 0 ? Picture::composition : Picture(number_);
