@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 namespace ggrade::tradeoff {
 
 namespace {
@@ -34,14 +36,19 @@ std::string settingCell(const json& setting) {
   return text;
 }
 
+/// Of a program that draws nothing without this part there is nothing to say.
+std::string frameWithout(double ms) {
+  return ms > 0 ? "; without this part a frame takes " + msText(ms) : "";
+}
+
 std::string sweepText(const json& sweep) {
   const std::string part = sweep.at("part"), name = sweep.at("scene_name"),
                     error = sweep.at("error");
   std::string text =
-      fmt::format("{} {} x {} pixels; without this part a frame takes {}.\n\n"
+      fmt::format("{} {} x {} pixels{}.\n\n"
                   "| preset | time | {} | setting |\n| --- | ---: | ---: | --- |\n",
                   sweep.at("about").get<std::string>(), sweep.at("size")[0].dump(),
-                  sweep.at("size")[1].dump(), msText(sweep.at("frame_without_ms")), error);
+                  sweep.at("size")[1].dump(), frameWithout(sweep.at("frame_without_ms")), error);
   for (const char* preset : kPresets) {
     if (!sweep.at("presets").contains(preset)) continue;
     const json& row = sweep.at("presets").at(preset);
@@ -111,10 +118,15 @@ std::string chartSvg(const Measured& measured, const Findings& findings) {
 
 json adoptedPresets(const json& figures) {
   json presets = json::object();
+  std::map<std::string, std::string> partOf; // of a number: from which part its settings are
   for (const json& sweep : figures.at("sweeps"))
     for (const auto& [name, preset] : sweep.at("presets").items())
-      for (const auto& [number, value] : preset.at("setting").items())
-        presets[name].emplace(number, value);
+      for (const auto& [number, value] : preset.at("setting").items()) {
+        const std::string key = name + " " + number;
+        if (partOf.contains(key) && partOf[key] == sweep.at("part")) continue; // the first scene's
+        partOf[key] = sweep.at("part");
+        presets[name][number] = value;
+      }
   return presets;
 }
 

@@ -15,7 +15,8 @@ std::string chartFile(const std::string& part, const std::string& sweep);
 std::string chartSvg(const Measured& measured, const Findings& findings);
 
 /// presets.json of an assignment from its figures: preset to the numbers of all its parts, each as
-/// the first scene that sweeps it has it.
+/// the first scene of its part that sweeps it has it. Of two parts that have a number in common the
+/// later one decides.
 json adoptedPresets(const json& figures);
 
 /// Markdown: a part's presets with time and error, its charts, what each number does. With no part:

@@ -96,22 +96,34 @@ std::optional<std::size_t> withinError(const std::vector<Point>& points, double 
 std::vector<Preset> presetsOf(const std::vector<Point>& points, const nlohmann::json& reference) {
   const std::vector<std::size_t> front = paretoFront(points);
   const double least = points.at(front.back()).error();
+  const auto limitOf = [&](double factor) {
+    return std::max(factor * least, least + kNearlyAbsolute);
+  };
   // The front is sorted by time, so its first point that is good enough is the fastest.
   const auto fastestOf = [&](double factor) {
-    const double limit = std::max(factor * least, least + kNearlyAbsolute);
-    return *std::find_if(front.begin(), front.end(),
-                         [&](std::size_t index) { return points[index].error() <= limit; });
+    return std::find_if(front.begin(), front.end(), [&](std::size_t index) {
+      return points[index].error() <= limitOf(factor);
+    });
   };
-  const std::size_t fast = fastestOf(kFastFactor), accurate = fastestOf(kAccurateFactor);
-  const auto begin = std::find(front.begin(), front.end(), fast);
-  const auto end = std::find(front.begin(), front.end(), accurate) + 1;
+  // Noise shall not choose: of those that are good enough and may be as fast, the best.
+  const auto bestOf = [&](double factor) {
+    std::size_t best = *fastestOf(factor);
+    const double time = points[best].ms.median;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (points[i].ms.q1 <= time && points[i].error() < points[best].error() &&
+          !nearlyEqual(points[i].error(), points[best].error()))
+        best = i;
+    return best;
+  };
   std::vector<Preset> presets = {
-      {"fast", fmt::format("the fastest with at most {} times the least error", kFastFactor), fast},
+      {"fast", fmt::format("the fastest with at most {} times the least error", kFastFactor),
+       bestOf(kFastFactor)},
       {"balanced", "where the front bends most between fast and accurate",
-       kneeOf(points, std::vector<std::size_t>(begin, end))},
+       kneeOf(points,
+              std::vector<std::size_t>(fastestOf(kFastFactor), fastestOf(kAccurateFactor) + 1))},
       {"accurate",
        fmt::format("the fastest within {:.0f}% of the least error", 100 * (kAccurateFactor - 1)),
-       accurate}};
+       bestOf(kAccurateFactor)}};
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].setting == reference)
       presets.push_back({"reference", "every number at its highest quality", i});

@@ -117,6 +117,16 @@ TEST(TradeoffPresets, FollowTheirRules) {
   EXPECT_EQ(presets[3].point, 5u);
 }
 
+TEST(TradeoffPresets, AreNotChosenByNoise) {
+  std::vector<Point> points = {point(149, 0.0487), point(160, 0.0446), point(300, 0.0445)};
+  points[1].ms.q1 = 146; // may be as fast as the first
+  const auto presets = presetsOf(points, {});
+  EXPECT_EQ(presets[0].point, 1u);
+  EXPECT_EQ(presets[2].point, 1u);
+  points[1].ms.q1 = 155;
+  EXPECT_EQ(presetsOf(points, {})[2].point, 0u) << "it is slower";
+}
+
 TEST(TradeoffPresets, OfOneSettingAreThatSetting) {
   const auto presets = presetsOf({point(-0.1, 0, 1)}, {{"size", 9}});
   ASSERT_EQ(presets.size(), 3u) << "there is no reference if it was not measured";

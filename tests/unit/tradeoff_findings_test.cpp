@@ -166,6 +166,14 @@ TEST(TradeoffAdopted, APresetHasTheNumbersOfAllSweeps) {
   EXPECT_EQ(presets["reference"], json({{"clip", 1}, {"samples", 16}, {"size", 256}}));
 }
 
+TEST(TradeoffAdopted, OfTwoPartsTheLaterOneDecides) {
+  const auto sweep = [](const char* part, int format) {
+    return json{{"part", part}, {"presets", {{"fast", {{"setting", {{"format", format}}}}}}}};
+  };
+  const json figures = {{"sweeps", {sweep("targets", 0), sweep("figure", 1), sweep("figure", 2)}}};
+  EXPECT_EQ(adoptedPresets(figures)["fast"], json({{"format", 1}}));
+}
+
 TEST(TradeoffAdopted, IsATableInTheHandout) {
   const std::string text = handoutText(adoptedSample(), "mirror");
   EXPECT_THAT(text, testing::StartsWith(
