@@ -98,7 +98,7 @@ TEST_F(Interrupt, WhileTheReferenceIsRendered) {
 }
 
 TEST_F(Interrupt, TheDemo) {
-  interruptWhen("mirror-stub", 0.3, {"demo", "--out", out_});
+  interruptWhen("-stub", 0.3, {"demo", "--out", out_});
   EXPECT_FALSE(fs::exists(out_));
   EXPECT_THAT(names(folder_.path()), ElementsAre("results", "tmp"));
   EXPECT_THAT(names(out_.parent_path()), IsEmpty());
