@@ -54,7 +54,7 @@ void demo(const std::string& outText, bool asJson) {
   const fs::path out = outputFolder(outText);
   requireSandbox();
   Progress progress("demo");
-  std::vector<report::Result> results;
+  nlohmann::json list = nlohmann::json::array();
   std::vector<report::Summary> pages;
   std::string surprises;
   grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
@@ -65,11 +65,12 @@ void demo(const std::string& outText, bool asJson) {
     count += all.size();
     for (const Example& example : all) {
       if (grading::interrupted) throw grading::Interrupted{};
-      progress(example.name, results.size(), count);
+      progress(example.name, pages.size(), count);
       grading::TemporaryFolder patched;
       grading::GradeOptions how;
       how.upload = example.folder;
       how.solution = example.solution;
+      how.diagnosis = !example.patch.empty(); // a stub's likeliest cause is known
       if (!example.patch.empty()) {
         how.upload = patched.path() / example.name;
         grading::writePatched(assignment, solutions, {example.patch}, how.upload);
@@ -83,7 +84,11 @@ void demo(const std::string& outText, bool asJson) {
       const fs::path folder = work.path() / example.name;
       report::writeReports(folder, result);
       pages.push_back(report::summarize(result, example.name + "/index.html"));
-      results.push_back(std::move(result));
+      list.push_back({{"submission", result.submission},
+                      {"outcome", report::name(result.outcome)},
+                      {"score", result.score},
+                      {"max_score", result.maxScore},
+                      {"bonus", result.bonus}});
     }
   }
   progress.clear();
@@ -95,13 +100,6 @@ void demo(const std::string& outText, bool asJson) {
                            pages));
   work.publish(out);
   if (asJson) {
-    nlohmann::json list = nlohmann::json::array();
-    for (const report::Result& result : results)
-      list.push_back({{"submission", result.submission},
-                      {"outcome", report::name(result.outcome)},
-                      {"score", result.score},
-                      {"max_score", result.maxScore},
-                      {"bonus", result.bonus}});
     std::cout << list.dump(2) << '\n';
   } else {
     report::TerminalStyle style;
