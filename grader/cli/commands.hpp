@@ -52,6 +52,8 @@ void addCalibrate(CLI::App& app);
 void addTradeoff(CLI::App& app);
 void addDerive(CLI::App& app);
 void addNew(CLI::App& app);
+void addRelease(CLI::App& app);
+void addExpect(CLI::App& app);
 void addJudge(CLI::App& app);
 
 } // namespace ggrade::cli

@@ -35,7 +35,8 @@ std::set<std::string> firstTodos(const Part& part, int count) {
   return filled;
 }
 
-/// The editable files with the given TODOs filled in.
+} // namespace
+
 void writeSources(const Assignment& assignment, const fs::path& solutions,
                   const std::set<std::string>& filled, const fs::path& into) {
   for (const std::string& file : assignment.files) {
@@ -44,7 +45,6 @@ void writeSources(const Assignment& assignment, const fs::path& solutions,
   }
 }
 
-/// What the program with these TODOs filled in draws of a scene. `name` is the picture's.
 channel::Capture draw(const Assignment& assignment, const fs::path& solutions,
                       const std::set<std::string>& filled, const json& scene,
                       const std::vector<double>& times, const std::string& name) {
@@ -63,6 +63,8 @@ channel::Capture draw(const Assignment& assignment, const fs::path& solutions,
                                  rendering.happened.output));
   return std::move(rendering.capture);
 }
+
+namespace {
 
 Image window(const channel::Capture& capture) {
   return rubric::toImage(grading::rawFrames(capture).at(0));

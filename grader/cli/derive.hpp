@@ -3,10 +3,22 @@
 /// What an assignment hands out, made from its solution.
 
 #include "assignment/assignment.hpp"
+#include "capture/channel_reader.hpp"
 
 #include <filesystem>
+#include <set>
 
 namespace ggrade::cli {
+
+/// The editable files with the given TODOs filled in, into a folder that is there.
+void writeSources(const Assignment& assignment, const std::filesystem::path& solutions,
+                  const std::set<std::string>& filled, const std::filesystem::path& into);
+
+/// What the program with these TODOs filled in draws of a scene. `name` is the picture's, for
+/// errors. Throws UsageError where it doesn't build or render.
+channel::Capture draw(const Assignment& assignment, const std::filesystem::path& solutions,
+                      const std::set<std::string>& filled, const nlohmann::json& scene,
+                      const std::vector<double>& times, const std::string& name);
 
 /// Writes the stub, the handout's texts and, if `pictures`, the picture of every step (in
 /// `into/handout`; the programs are built and run for them) into `into`. Throws UsageError for a

@@ -61,6 +61,8 @@ int run(int argc, char** argv) {
   addTradeoff(app);
   addDerive(app);
   addNew(app);
+  addRelease(app);
+  addExpect(app);
   addJudge(app);
   // Not CLI11's own `--`, which gives the next word to whatever positional is still open.
   char** const end = argv + argc;

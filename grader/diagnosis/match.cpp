@@ -121,6 +121,10 @@ std::vector<float> distance(const Image* a, const Image* b) {
   return distances;
 }
 
+bool alike(const Image* a, const Image* b) {
+  return equal(a, b) || mean(distance(a, b)) < kWrong;
+}
+
 bool isOneColour(const Image& picture) {
   for (int c = 0; c < picture.channels(); ++c) {
     float low = picture.at(0, 0, c), high = low;

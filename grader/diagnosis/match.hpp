@@ -24,6 +24,9 @@ struct Signature {
 /// the tolerance. Null stands for a picture that was not made. Another size is resized to `a`'s.
 std::vector<float> distance(const Image* a, const Image* b);
 
+/// Do both show the same, but for so little that nobody would see it? Two nulls do.
+bool alike(const Image* a, const Image* b);
+
 /// Has every channel one value all over, within the tolerance?
 bool isOneColour(const Image& picture);
 

@@ -140,6 +140,25 @@ Image stretchedDepth(const Image& depth) {
   return out;
 }
 
+namespace {
+
+/// Colours in the order of the fragment shader's outputs, wherever these are attached; then what no
+/// output goes to; then depth.
+std::vector<std::uint32_t> inOrder(const trace::PassRecord& pass) {
+  std::vector<std::uint32_t> order;
+  const auto add = [&](std::uint32_t attachment) {
+    if (attachment < trace::kColors && std::ranges::find(order, attachment) == order.end())
+      order.push_back(attachment);
+  };
+  if (pass.kind == std::uint32_t(trace::PassKind::draw))
+    for (const std::uint8_t attachment : pass.attachmentOfOutput) add(attachment);
+  for (std::uint32_t i = 0; i < trace::kColors; ++i) add(i);
+  order.push_back(trace::kDepth);
+  return order;
+}
+
+} // namespace
+
 SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace) {
   SceneViews views;
   for (const Image& frame : frames) views.windows.push_back(reduced(frame, 3));
@@ -150,7 +169,7 @@ SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace) {
   std::map<Slot, std::int32_t> seen;
   const auto passes = trace.passesOf(0);
   for (std::size_t i = 0; i < passes.size(); ++i)
-    for (std::uint32_t a : {0u, 1u, 2u, 3u, 4u, 5u, 6u, 7u, trace::kDepth}) {
+    for (const std::uint32_t a : inOrder(passes[i])) {
       const trace::ImageRef& image = passes[i].images[a];
       if (image.kind != std::uint32_t(trace::ImageKind::texture) || isDrawnOver(passes, i, a))
         continue;

@@ -410,7 +410,7 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
     const Stopwatch time(result, "diagnose");
     Submitted submitted{plan, references, {}, {}};
     for (const rubric::SceneFolders& scene : folders) submitted.folders.push_back(scene.student);
-    submitted.facts = factsOf(renderings.scenes[0].capture, submitted.folders[0]);
+    submitted.facts = factsOf(renderings.scenes[0].capture, trace::load(submitted.folders[0]));
     options.examining(submitted, result);
   }
   progress("done", steps, steps);

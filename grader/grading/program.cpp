@@ -3,9 +3,11 @@
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <sstream>
@@ -29,10 +31,7 @@ constexpr double kBuildSeconds = 30;
 /// core. Shaders are compiled without LLVM's optimisations (`nopt`): our scenes are small, and
 /// compiling is most of a first run (0.27 instead of 0.39 s; later ones are as fast as before).
 const std::vector<std::pair<std::string, std::string>> kPins = {
-    {"LP_NUM_THREADS", "0"},
-    {"GALLIUM_OVERRIDE_CPU_CAPS", "avx"},
-    {"GALLIVM_PERF", "nopt"},
-    {"GG_DOCTOR", "0"}};
+    {"LP_NUM_THREADS", "0"}, {"GALLIUM_OVERRIDE_CPU_CAPS", "avx"}, {"GALLIVM_PERF", "nopt"}};
 
 /// Where things are seen from within a run: the host's own paths without a sandbox.
 struct Places {
@@ -205,8 +204,8 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
                                                    "-L",
                                                    (at.kit / "lib").string()};
   command.arguments.insert(command.arguments.end(), rest);
-  for (const char* library :
-       {"gg", "gg_core", "gg_scene", "gg_glad", "glfw", "tinyobjloader", "png16", "fmt"})
+  for (const char* library : {"gg", "gg_core", "gg_words", "gg_scene", "gg_glad", "glfw",
+                              "tinyobjloader", "png16", "fmt"})
     command.arguments.push_back(std::string("-l") + library);
   command.environment = {
       {"PATH", "/usr/bin:/bin"},
@@ -262,7 +261,7 @@ trace::Request gradingRequest() {
 Rendering renderScene(const std::string& id, const fs::path& folder, const nlohmann::json& scene,
                       const std::vector<double>& times, const ShaderCache& shaders,
                       Isolation isolation, const trace::Request& trace,
-                      const std::vector<channel::PassPixels>& replacements) {
+                      const std::vector<channel::PassPixels>& replacements, bool doctor) {
   TemporaryFolder work;
   const fs::path sceneFolder = work.makeVisible("scene");
   {
@@ -278,6 +277,8 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   sandbox::Command command;
   command.arguments = {(at.work / id).string(), "--scene", (at.scene / "scene.json").string()};
   command.environment = kPins;
+  command.environment.emplace_back("GG_DOCTOR", doctor ? "1" : "0");
+  command.environment.emplace_back("GG_LANG", gg::name(gg::language()));
   command.environment.emplace_back("LD_LIBRARY_PATH", at.capture.string());
   command.environment.emplace_back("LC_ALL", "C.UTF-8");
   command.environment.emplace_back(channel::kDescriptorVariable,
@@ -327,6 +328,7 @@ Rendering renderProgram(const std::vector<std::string>& arguments, const std::ve
                                    std::string(toolchain::kCaptureFolder) +
                                        (before ? std::string(":") + before : ""));
   command.environment.insert(command.environment.end(), kPins.begin(), kPins.end());
+  command.environment.emplace_back("GG_DOCTOR", "0");
   command.environment.emplace_back(channel::kDescriptorVariable,
                                    std::to_string(channel.descriptor()));
   command.workingDirectory = fs::current_path();
@@ -334,6 +336,27 @@ Rendering renderProgram(const std::vector<std::string>& arguments, const std::ve
   command.limits.wallSeconds = command.limits.cpuSeconds = 60;
 
   return runCaptured(command, Isolation::none, channel, times.size());
+}
+
+std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture) {
+  std::vector<rubric::RawFrame> frames;
+  for (const channel::CapturedFrame& frame : capture.frames)
+    if (frame.written) frames.push_back({frame.time, frame.width, frame.height, frame.pixels});
+  return frames;
+}
+
+diagnosis::Facts factsOf(const channel::Capture& capture, const trace::Trace& trace) {
+  diagnosis::Facts facts;
+  for (const channel::CapturedFrame& frame : capture.frames)
+    facts.frames.push_back({frame.windowDraws, frame.boundFramebuffer});
+  for (const trace::PassRecord& pass : trace.passes) {
+    if (pass.framebuffer == 0 || pass.framebuffer == trace::kNone || pass.draws == 0) continue;
+    const std::string status = trace::glName(pass.status);
+    if (status != "FRAMEBUFFER_COMPLETE" &&
+        std::ranges::find(facts.incomplete, status) == facts.incomplete.end())
+      facts.incomplete.push_back(status);
+  }
+  return facts;
 }
 
 const std::vector<std::pair<std::string, std::string>>& rendererPins() {

@@ -5,6 +5,8 @@
 
 #include "assignment/assignment.hpp"
 #include "capture/channel_reader.hpp"
+#include "diagnosis/outcome.hpp"
+#include "rubric/evidence.hpp"
 #include "sandbox/sandbox.hpp"
 
 namespace ggrade::grading {
@@ -60,18 +62,26 @@ struct ShaderCache {
 trace::Request gradingRequest();
 
 /// Runs `folder`/`id` in `scene` for the given times. What `trace` asks for of the passes stands in
-/// the capture's trace; `replacements` are put in place of what passes leave.
+/// the capture's trace; `replacements` are put in place of what passes leave. With `doctor` the
+/// framework says on stderr what it finds wrong with the first frame.
 Rendering renderScene(const std::string& id, const std::filesystem::path& folder,
                       const nlohmann::json& scene, const std::vector<double>& times,
                       const ShaderCache& shaders, sandbox::Isolation isolation,
                       const trace::Request& trace = {},
-                      const std::vector<channel::PassPixels>& replacements = {});
+                      const std::vector<channel::PassPixels>& replacements = {},
+                      bool doctor = false);
 
 /// Runs any GLFW program, trusted (not in the sandbox), with the caller's environment. A size of 0
 /// leaves the window as the program asks.
 Rendering renderProgram(const std::vector<std::string>& arguments, const std::vector<double>& times,
                         std::uint32_t width, std::uint32_t height,
                         const trace::Request& trace = {});
+
+/// The captured frames in the form that is kept in files.
+std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture);
+
+/// What a capture told besides pictures; `trace` is its own.
+diagnosis::Facts factsOf(const channel::Capture& capture, const trace::Trace& trace);
 
 /// Settings of the renderer that pixels depend on, the same for every run: names and values.
 const std::vector<std::pair<std::string, std::string>>& rendererPins();

@@ -185,13 +185,6 @@ void inParallel(std::size_t count, unsigned workers, const std::function<void(st
   if (first) std::rethrow_exception(first);
 }
 
-std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture) {
-  std::vector<rubric::RawFrame> frames;
-  for (const channel::CapturedFrame& frame : capture.frames)
-    if (frame.written) frames.push_back({frame.time, frame.width, frame.height, frame.pixels});
-  return frames;
-}
-
 std::string referenceKey(const Target& target, const fs::path& solutionFolder) {
   const std::string tool = toolKey();
   return programKey(tool, target.assignment, solutionFolder) +

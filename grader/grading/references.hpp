@@ -43,9 +43,6 @@ References prepareReferences(const Target& target, const std::filesystem::path& 
                              const ScenePlan& plan, const Progress& progress,
                              const std::filesystem::path& elsewhere = {});
 
-/// The captured frames in the form that is kept in files.
-std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture);
-
 /// How many runs go at a time: one a core.
 unsigned workers();
 

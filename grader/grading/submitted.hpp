@@ -14,7 +14,4 @@ struct Submitted {
   diagnosis::Facts facts;                     ///< of the first scene
 };
 
-/// What the capture of a scene told besides pictures; `folder` holds its passes.
-diagnosis::Facts factsOf(const channel::Capture& capture, const std::filesystem::path& folder);
-
 } // namespace ggrade::grading

@@ -83,6 +83,9 @@ struct PassRecord {
   /// images that it can write, as color0 and on.
   ImageRef images[kAttachments];
   std::uint32_t drawBuffers; ///< mask of the colour attachments that are draw buffers
+  /// Of draws: the colour attachment that each of the fragment shader's outputs goes to, by
+  /// location; kColors or more: none.
+  std::uint8_t attachmentOfOutput[kColors];
   std::uint32_t cleared;     ///< mask of attachments that a clear of this pass covered
   std::uint32_t written;     ///< mask of attachments that clears or draws can have changed
   float clearColor[4];       ///< of the last clear of colour

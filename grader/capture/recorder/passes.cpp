@@ -106,6 +106,9 @@ OpenPass& passFor(Session& session, const Target& target, bool isClear) {
   pass.record.framebuffer = target.framebuffer;
   pass.record.status = gl().checkFramebufferStatus(GL_DRAW_FRAMEBUFFER);
   pass.record.drawBuffers = target.drawBuffers;
+  for (std::uint32_t i = 0; i < trace::kColors; ++i)
+    pass.record.attachmentOfOutput[i] =
+        std::uint8_t(std::min(target.attachmentOfBuffer[i], trace::kColors));
   gl().getIntegerv(GL_VIEWPORT, pass.record.viewport);
   for (std::uint32_t i = 0; i < trace::kAttachments; ++i) {
     pass.record.images[i] = target.images[i];

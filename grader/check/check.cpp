@@ -1,0 +1,258 @@
+#include "check/check.hpp"
+
+#include "check/begun.hpp"
+#include "diagnosis/generic.hpp"
+#include "diagnosis/outcome.hpp"
+#include "grading/overlay.hpp"
+#include "image/png.hpp"
+#include "report/text.hpp"
+#include "report/write_file.hpp"
+#include "rubric/evidence.hpp"
+#include "words/words.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <sstream>
+
+namespace ggrade::check {
+
+namespace fs = std::filesystem;
+using diagnosis::SceneViews;
+using gg::say;
+
+namespace {
+
+bool isCompiled(const fs::path& file) {
+  return file.extension() == ".cpp" || file.extension() == ".hpp" || file.extension() == ".h";
+}
+
+/// All that the compiler reads.
+std::string compiledText(const fs::path& folder) {
+  std::set<fs::path> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+    if (isCompiled(entry.path())) files.insert(entry.path());
+  std::string text;
+  for (const fs::path& file : files) text += file.filename().string() + '\n' + readFile(file);
+  return text;
+}
+
+/// Puts the student's files where they are built, and builds them unless the program is of this
+/// very text.
+grading::Happened build(const Assignment& assignment, const fs::path& folder,
+                        const fs::path& program) {
+  const fs::path note = program / ".compiled";
+  for (const fs::directory_entry& entry : fs::directory_iterator(program))
+    if (entry.path() != note && entry.path() != program / assignment.id) fs::remove(entry.path());
+  grading::overlay(assignment, folder, program);
+  const std::string text = compiledText(program);
+  grading::Happened happened;
+  happened.outcome = report::Outcome::graded;
+  if (fs::exists(program / assignment.id) && fs::exists(note) && readFile(note) == text)
+    return happened;
+  fs::remove(note);
+  happened = grading::buildProgram(assignment.id, program, sandbox::Isolation::none);
+  if (happened.ok()) report::writeFile(note, text);
+  return happened;
+}
+
+/// What is said once is enough.
+std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& line) {
+    const std::string clean = report::sanitizeLine(line);
+    if (!clean.empty() && std::ranges::find(lines, clean) == lines.end()) lines.push_back(clean);
+  };
+  std::istringstream output(rendering.happened.output);
+  for (std::string line; std::getline(output, line);) add(line);
+  for (const channel::CapturedMessage& message : rendering.capture.messages) add(message.text);
+  return lines;
+}
+
+std::string capitalized(std::string text) {
+  if (!text.empty()) text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+  return text;
+}
+
+/// One look, step by step.
+class Check {
+public:
+  Check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
+        const fs::path& work)
+      : assignment_(assignment), expected_(expected), folder_(folder), work_(work) {}
+
+  Checked run() {
+    begun_ = begun(stubFolder(expected_.folder), folder_);
+    checked_.rows = notJudged();
+    const fs::path program = work_ / "program";
+    report::makeFolder(program);
+    report::makeFolder(work_ / "shaders");
+    checked_.happened = build(assignment_, folder_, program);
+    compilerOutput_ = checked_.happened.output;
+    if (!checked_.happened.ok()) {
+      outcome();
+      return std::move(checked_);
+    }
+    draw(program);
+    if (!shown_.empty() && shown_[0]) judge();
+    outcome();
+    return std::move(checked_);
+  }
+
+private:
+  std::vector<Row> notJudged() const {
+    std::vector<Row> rows;
+    for (const std::string& todo : expected_.todos)
+      rows.push_back({todo, begun_.count(todo) ? State::waits : State::notBegun});
+    return rows;
+  }
+
+  void draw(const fs::path& program) {
+    for (std::size_t i = 0; i < expected_.scenes.size(); ++i) {
+      const Scene& scene = expected_.scenes[i];
+      shown_.emplace_back();
+      if (!scene.todo.empty() && !begun_.count(scene.todo)) continue;
+      grading::Rendering rendering = grading::renderScene(
+          assignment_.id, program, scene.scene, scene.times, {work_ / "shaders"},
+          sandbox::Isolation::none, grading::gradingRequest(), {}, i == 0);
+      const std::vector<rubric::RawFrame> frames = grading::rawFrames(rendering.capture);
+      if (i == 0) {
+        checked_.messages = messagesOf(rendering);
+        facts_ = grading::factsOf(rendering.capture, rendering.capture.trace);
+        if (!frames.empty()) checked_.window = rubric::toImage(frames.front());
+        checked_.happened = rendering.happened;
+      }
+      if (!rendering.happened.ok()) {
+        checked_.happened = rendering.happened;
+        return;
+      }
+      std::vector<Image> images;
+      for (const rubric::RawFrame& frame : frames) images.push_back(rubric::toImage(frame));
+      shown_.back() = diagnosis::views(images, rendering.capture.trace);
+    }
+  }
+
+  /// The scenes that were drawn, of a run that has all.
+  diagnosis::Run drawn(const diagnosis::Run& all) const {
+    diagnosis::Run run;
+    for (std::size_t i = 0; i < shown_.size(); ++i)
+      if (shown_[i]) run.push_back(all[i]);
+    return run;
+  }
+
+  void judge() {
+    diagnosis::Run student;
+    std::vector<std::size_t> scenes;
+    for (std::size_t i = 0; i < shown_.size(); ++i)
+      if (shown_[i]) {
+        student.push_back(*shown_[i]);
+        scenes.push_back(i);
+      }
+    const std::size_t step = expectedStep(expected_, begun_);
+    const diagnosis::Run should = drawn(expected_.steps[step]);
+    const auto first = diagnosis::firstWrong(student, should);
+    std::string suspect;
+    if (first) suspect = likeliest(student);
+    checked_.rows = rows(expected_, shown_, begun_, suspect);
+    // Right is what the windows show, however the passes are made.
+    const bool allDone = std::ranges::all_of(checked_.rows, [&](const Row& row) {
+      return row.state == State::done || row.state == State::notBegun;
+    });
+    if (allDone) {
+      checked_.cause.clear();
+      checked_.hint.clear();
+    } else if (first) {
+      describe(*first, student, should, scenes);
+    }
+  }
+
+  /// Names the known mistake that shows the same, in `cause` and `hint`. Returns its TODO.
+  std::string likeliest(const diagnosis::Run& student) {
+    diagnosis::KnownFaults known;
+    known.reference = drawn(expected_.reference);
+    for (const Fault& fault : expected_.faults) {
+      known.signatures.push_back(fault.signature);
+      known.signatures.back().run = drawn(fault.signature.run);
+    }
+    // An unfinished program is no mistake: one that looks like it is named by its step.
+    for (std::size_t k = 0; k < expected_.steps.size(); ++k)
+      known.signatures.push_back({fmt::format("step-{}", k), "", drawn(expected_.steps[k]), true});
+    const auto found = known.identify(student);
+    if (!found || found->signature >= expected_.faults.size()) return {};
+    for (const std::size_t other : found->alike)
+      if (other >= expected_.faults.size()) return {};
+    const Fault& fault = expected_.faults[found->signature];
+    if (!begun_.count(fault.todo)) return {};
+    checked_.cause = fault.title;
+    checked_.hint = fault.hint;
+    return fault.todo;
+  }
+
+  void describe(const diagnosis::FirstWrong& first, const diagnosis::Run& student,
+                const diagnosis::Run& should, const std::vector<std::size_t>& scenes) {
+    Wrong wrong;
+    wrong.name =
+        first.slot ? diagnosis::words(*first.slot) : say("the window, frame {}", first.frame + 1);
+    wrong.scene = expected_.scenes[scenes[first.scene]].name;
+    wrong.share = first.share;
+    const auto picture = [&](const SceneViews& views) -> const Image* {
+      if (!first.slot)
+        return first.frame < views.windows.size() ? &views.windows[first.frame] : nullptr;
+      const diagnosis::PassView* pass = views.find(*first.slot);
+      return pass ? &pass->picture : nullptr;
+    };
+    const Image* ours = picture(student[first.scene]);
+    const Image* expected = picture(should[first.scene]);
+    if (ours) wrong.ours = *ours;
+    if (expected) wrong.expected = *expected;
+    if (checked_.cause.empty() && ours && expected && ours->channels() == expected->channels()) {
+      const Image fitted = diagnosis::resized(*ours, expected->width(), expected->height());
+      const diagnosis::Pair pair{&fitted, expected, nullptr, nullptr};
+      if (const auto change = diagnosis::generic({&pair, 1}))
+        checked_.cause = diagnosis::words(*change, capitalized(wrong.name));
+    }
+    checked_.firstWrong = std::move(wrong);
+  }
+
+  /// What needs no picture to be told goes before what pictures tell.
+  void outcome() {
+    report::Result result;
+    result.outcome = checked_.happened.outcome;
+    result.detail = checked_.happened.detail;
+    result.compilerOutput = compilerOutput_;
+    const bool right = std::ranges::none_of(checked_.rows, [](const Row& row) {
+      return row.state == State::wrong || row.state == State::waits;
+    });
+    if (right && checked_.happened.outcome == report::Outcome::graded) return;
+    if (const auto observed = diagnosis::outcomeDiagnosis(result, facts_)) {
+      checked_.cause = observed->text;
+      checked_.hint.clear();
+      for (const std::string& beside : observed->beside) checked_.hint += beside + '\n';
+    }
+  }
+
+  const Assignment& assignment_;
+  const Expected& expected_;
+  const fs::path& folder_;
+  const fs::path& work_;
+  std::set<std::string> begun_;
+  std::string compilerOutput_;
+  diagnosis::Facts facts_;
+  Shown shown_;
+  Checked checked_;
+};
+
+} // namespace
+
+Checked check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
+              const fs::path& work) {
+  const auto start = std::chrono::steady_clock::now();
+  Checked checked = Check(assignment, expected, folder, work).run();
+  const std::size_t step = expectedStep(expected, begun(stubFolder(expected.folder), folder));
+  checked.expectedWindow = readPng(stepPicture(expected.folder, step));
+  checked.finishedWindow = readPng(stepPicture(expected.folder, expected.todos.size()));
+  checked.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return checked;
+}
+
+} // namespace ggrade::check

@@ -1,0 +1,41 @@
+#pragma once
+/// \file
+/// A student's own program against what is expected of it, on the student's own machine: no
+/// sandbox, no solution.
+
+#include "check/rows.hpp"
+#include "grading/program.hpp"
+
+namespace ggrade::check {
+
+/// A picture that isn't as it should be now, beside the one that is expected.
+struct Wrong {
+  std::string name;  ///< "the window, frame 2"
+  std::string scene; ///< name
+  double share = 0;  ///< of its pixels
+  Image ours;        ///< empty: the program makes no such picture
+  Image expected;
+};
+
+/// One look at a program.
+struct Checked {
+  grading::Happened happened;
+  std::vector<std::string> messages; ///< what the program and OpenGL said, a line each
+  std::vector<Row> rows;             ///< no row is `done` or `wrong` if nothing was drawn
+  std::optional<Wrong>
+      firstWrong;       ///< the first wrong picture of a frame, against what should be there now
+  std::string cause;    ///< the likeliest one, in words; empty: none is known
+  std::string hint;     ///< what to look at; may be empty
+  Image window;         ///< of the public scene, first frame; RGB, empty: none came
+  Image expectedWindow; ///< of the program that has done what was begun
+  Image finishedWindow; ///< the reference's
+  double seconds = 0;
+};
+
+/// Builds and runs the files in `folder` and says how far they are. `work` keeps the program until
+/// the next call: where only shaders have changed it isn't compiled again. Throws UsageError where
+/// `folder` holds no file of the assignment, and Interrupted.
+Checked check(const Assignment& assignment, const Expected& expected,
+              const std::filesystem::path& folder, const std::filesystem::path& work);
+
+} // namespace ggrade::check

@@ -1,0 +1,104 @@
+#include "check/expected.hpp"
+
+#include "report/write_file.hpp"
+
+#include <fmt/format.h>
+
+namespace ggrade::check {
+
+namespace fs = std::filesystem;
+using diagnosis::Run;
+using nlohmann::json;
+
+namespace {
+
+fs::path viewsFile(const fs::path& folder, const std::string& program, std::size_t scene) {
+  return folder / "views" / fmt::format("{}-{}.views", program, scene);
+}
+
+void saveRun(const Run& run, const Run* base, const fs::path& folder, const std::string& program) {
+  for (std::size_t i = 0; i < run.size(); ++i)
+    diagnosis::save(run[i], base ? &(*base)[i] : nullptr, viewsFile(folder, program, i));
+}
+
+Run loadRun(std::size_t scenes, const Run* base, const fs::path& folder,
+            const std::string& program) {
+  Run run;
+  for (std::size_t i = 0; i < scenes; ++i)
+    run.push_back(diagnosis::load(viewsFile(folder, program, i), base ? &(*base)[i] : nullptr));
+  return run;
+}
+
+} // namespace
+
+fs::path stubFolder(const fs::path& folder) {
+  return folder / "handed_out";
+}
+
+fs::path referenceFolder(const fs::path& folder) {
+  return folder / "reference";
+}
+
+fs::path stepPicture(const fs::path& folder, std::size_t step) {
+  return folder / fmt::format("step-{}.png", step);
+}
+
+void save(const Expected& expected, const fs::path& folder) {
+  report::makeFolder(folder / "views");
+  json scenes = json::array(), faults = json::array();
+  for (const Scene& scene : expected.scenes)
+    scenes.push_back({{"name", scene.name},
+                      {"scene", scene.scene},
+                      {"times", scene.times},
+                      {"todo", scene.todo}});
+  for (const Fault& fault : expected.faults)
+    faults.push_back({{"title", fault.title},
+                      {"hint", fault.hint},
+                      {"todo", fault.todo},
+                      {"group", fault.signature.group}});
+  report::writeFile(folder / "expected.json", json{{"assignment", expected.assignment},
+                                                   {"part", expected.part},
+                                                   {"todos", expected.todos},
+                                                   {"scenes", scenes},
+                                                   {"faults", faults}}
+                                                  .dump(1));
+  saveRun(expected.reference, nullptr, folder, "reference");
+  for (std::size_t k = 0; k < expected.steps.size(); ++k)
+    saveRun(expected.steps[k], &expected.reference, folder, fmt::format("step-{}", k));
+  for (std::size_t k = 0; k < expected.faults.size(); ++k)
+    saveRun(expected.faults[k].signature.run, &expected.reference, folder,
+            fmt::format("fault-{}", k));
+}
+
+Expected load(const fs::path& folder) {
+  const fs::path file = folder / "expected.json";
+  Expected expected;
+  expected.folder = folder;
+  try {
+    const json all = readJson(file);
+    all.at("assignment").get_to(expected.assignment);
+    all.at("part").get_to(expected.part);
+    all.at("todos").get_to(expected.todos);
+    for (const json& scene : all.at("scenes"))
+      expected.scenes.push_back({scene.at("name"), scene.at("scene"),
+                                 scene.at("times").get<std::vector<double>>(), scene.at("todo")});
+    const std::size_t scenes = expected.scenes.size();
+    expected.reference = loadRun(scenes, nullptr, folder, "reference");
+    for (std::size_t k = 0; k <= expected.todos.size(); ++k)
+      expected.steps.push_back(
+          loadRun(scenes, &expected.reference, folder, fmt::format("step-{}", k)));
+    for (const json& fault : all.at("faults")) {
+      const std::string name = fmt::format("fault-{}", expected.faults.size());
+      expected.faults.push_back(
+          {fault.at("title"),
+           fault.at("hint"),
+           fault.at("todo"),
+           {name, fault.at("group"), loadRun(scenes, &expected.reference, folder, name)}});
+    }
+  } catch (const json::exception& error) {
+    throw UsageError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+  return expected;
+}
+
+} // namespace ggrade::check

@@ -1,0 +1,53 @@
+#pragma once
+/// \file
+/// What a program is held against where there is no solution: pictures of the reference, of the
+/// program after each step, and of known mistakes, all of public scenes.
+
+#include "assignment/assignment.hpp"
+#include "diagnosis/match.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace ggrade::check {
+
+/// A scene in which a program is looked at.
+struct Scene {
+  std::string name;
+  nlohmann::json scene;      ///< a whole scene file
+  std::vector<double> times; ///< seconds, one a frame
+  /// The TODO that only this scene shows, so that it is drawn once that is begun; empty: always.
+  std::string todo;
+};
+
+/// A mistake that is known by what it shows.
+struct Fault {
+  std::string title, hint;
+  std::string todo; ///< in which it is made
+  diagnosis::Signature signature;
+};
+
+struct Expected {
+  std::string assignment, part;      ///< IDs
+  std::vector<std::string> todos;    ///< IDs of what is to be done, in order
+  std::vector<Scene> scenes;         ///< the public one first
+  diagnosis::Run reference;          ///< by scene
+  std::vector<diagnosis::Run> steps; ///< by TODOs done: todos.size() + 1
+  std::vector<Fault> faults;
+  std::filesystem::path folder; ///< where it was read from
+};
+
+/// The files as they were handed out.
+std::filesystem::path stubFolder(const std::filesystem::path& folder);
+/// The reference's passes in the public scene, for people: PNG and raw floats.
+std::filesystem::path referenceFolder(const std::filesystem::path& folder);
+/// The public scene's window after `step` TODOs, first frame; PNG.
+std::filesystem::path stepPicture(const std::filesystem::path& folder, std::size_t step);
+
+/// Writes all but what these hold. Throws UsageError when the disk is full.
+void save(const Expected& expected, const std::filesystem::path& folder);
+/// Throws UsageError for a file that is missing or cut off.
+Expected load(const std::filesystem::path& folder);
+
+} // namespace ggrade::check

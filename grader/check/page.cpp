@@ -1,0 +1,242 @@
+#include "check/page.hpp"
+
+#include "image/difference.hpp"
+#include "image/png.hpp"
+#include "report/page.hpp"
+#include "report/picture.hpp"
+#include "report/templates.hpp"
+#include "report/text.hpp"
+#include "words/words.hpp"
+
+#include <algorithm>
+
+namespace ggrade::check {
+
+using gg::say;
+using gg::words;
+using report::Data;
+
+namespace {
+
+const char* const kClasses[] = {"plain", "full", "none", "unjudged"};
+
+const Todo& todoOf(const Part& part, const std::string& id) {
+  return *std::ranges::find(part.todos, id, &Todo::id);
+}
+
+std::size_t done(const Checked& checked) {
+  return std::size_t(std::ranges::count(checked.rows, State::done, &Row::state));
+}
+
+std::string noteOf(const Row& row) {
+  if (row.state == State::done && !row.seen)
+    return say("as far as this scene shows: nothing of it can be seen yet");
+  if (row.state == State::waits) return say("begun; judged once what comes before it is right");
+  return {};
+}
+
+/// Passes may have any range; a page shows 0 to 1, and greys for one channel.
+std::string uriOf(const Image& image) {
+  if (image.empty()) return {};
+  Image shown(image.width(), image.height(), 3);
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        shown.at(x, y, c) =
+            std::clamp(image.at(x, y, std::min(c, image.channels() - 1)), 0.0f, 1.0f);
+  return report::pngDataUri(shown);
+}
+
+Data pictureOf(const std::string& caption, const Image& image) {
+  Data picture;
+  picture["caption"] = report::line(caption);
+  const std::string uri = uriOf(image);
+  picture["uri"] = uri.empty() ? Data(false) : Data(uri);
+  picture["none"] = report::line(words("there is no such picture"));
+  return picture;
+}
+
+std::string headline(const Looked& looked) {
+  return say("{} of {} done", done(looked.checked), looked.checked.rows.size());
+}
+
+std::string placeOf(const Wrong& wrong) {
+  return say("{}: {} of it differs from what should be there now", wrong.name,
+             report::percent(wrong.share));
+}
+
+/// What a person has to know of a run that showed nothing, or not all.
+std::string outcomeOf(const Checked& checked) {
+  return checked.happened.ok() && checked.happened.outcome == report::Outcome::graded
+             ? std::string()
+             : checked.happened.detail;
+}
+
+Data partOf(const Looked& looked) {
+  const Checked& checked = looked.checked;
+  Data part;
+  part["title"] = report::line(words(looked.part->title));
+  part["headline"] = report::line(headline(looked));
+  Data rows = report::makeList();
+  for (const Row& row : checked.rows) {
+    Data one;
+    one["id"] = report::line(row.todo);
+    one["title"] = report::line(words(todoOf(*looked.part, row.todo).title));
+    one["state"] = report::line(nameOf(row.state));
+    one["class"] = Data(std::string(kClasses[int(row.state)]));
+    one["note"] = report::line(noteOf(row));
+    rows.push_back(std::move(one));
+  }
+  part["rows"] = std::move(rows);
+  part["outcome"] = report::line(outcomeOf(checked));
+  part["cause"] = report::line(checked.cause);
+  part["hint"] = report::text(checked.hint);
+  part["step"] = report::line(stepToRead(looked));
+  part["wrongPlace"] = report::line(checked.firstWrong ? placeOf(*checked.firstWrong) : "");
+  Data messages = report::makeList();
+  for (const std::string& message : checked.messages) {
+    Data one;
+    one["text"] = report::line(message);
+    messages.push_back(std::move(one));
+  }
+  part["messages"] = std::move(messages);
+  part["hasMessages"] = Data(!checked.messages.empty());
+  part["compiler"] = report::text(checked.happened.outcome == report::Outcome::buildFailed ||
+                                          checked.happened.outcome == report::Outcome::shaderError
+                                      ? checked.happened.output
+                                      : std::string());
+  Data pictures = report::makeList();
+  if (!checked.window.empty() || checked.happened.ok()) {
+    pictures.push_back(pictureOf(say("your window"), checked.window));
+    pictures.push_back(pictureOf(say("to expect now"), checked.expectedWindow));
+    pictures.push_back(pictureOf(say("with all steps done"), checked.finishedWindow));
+  }
+  part["pictures"] = std::move(pictures);
+  Data wrong = report::makeList();
+  if (checked.firstWrong) {
+    wrong.push_back(
+        pictureOf(say("yours: {}", checked.firstWrong->name), checked.firstWrong->ours));
+    wrong.push_back(pictureOf(say("as it should be now"), checked.firstWrong->expected));
+  }
+  part["wrong"] = std::move(wrong);
+  part["hasWrong"] = Data(checked.firstWrong.has_value());
+  part["wordCause"] = report::line(words("Likely cause"));
+  part["wordRead"] = report::line(words("Read again"));
+  part["wordFirstWrong"] = report::line(words("First wrong picture"));
+  part["wordMessages"] = report::line(words("What the program and OpenGL said"));
+  return part;
+}
+
+std::string paint(const std::string& text, const char* code, bool colour) {
+  return colour ? fmt::format("\033[{}m{}\033[0m", code, text) : text;
+}
+
+/// Padded to `columns` of a terminal.
+std::string padded(const std::string& text, std::size_t columns) {
+  const std::size_t width = report::displayWidth(text);
+  return text + std::string(columns > width ? columns - width : 0, ' ');
+}
+
+} // namespace
+
+std::string nameOf(State state) {
+  switch (state) {
+  case State::done:
+    return say("done");
+  case State::wrong:
+    return say("wrong");
+  case State::waits:
+    return say("waits");
+  case State::notBegun:
+    break;
+  }
+  return say("not begun");
+}
+
+std::string stepToRead(const Looked& looked) {
+  for (const State state : {State::wrong, State::waits, State::notBegun})
+    for (const Row& row : looked.checked.rows)
+      if (row.state == state)
+        for (std::size_t k = 0; k < looked.part->todos.size(); ++k)
+          if (looked.part->todos[k].id == row.todo)
+            return say("step {}: {}", k + 1, words(looked.part->todos[k].title));
+  return {};
+}
+
+std::string page(const std::string& title, const std::vector<Looked>& all, bool watched) {
+  Data data;
+  data["title"] = report::line(title);
+  data["lang"] = Data(std::string(gg::name(gg::language())));
+  data["watched"] = Data(watched);
+  data["watchWords"] = report::line(words("This page follows every save."));
+  data["footer"] = report::line(
+      words("Compared with the public scene only: the grader draws other scenes, too."));
+  Data parts = report::makeList();
+  for (const Looked& looked : all) parts.push_back(partOf(looked));
+  data["parts"] = std::move(parts);
+  return report::renderPage({report::templates::k_check_mustache, report::templates::k_check_js,
+                             report::templates::k_check_js_sha256, report::templates::k_check_css},
+                            std::move(data), title);
+}
+
+std::string table(const std::vector<Looked>& all, bool colour) {
+  static const char* const kColours[] = {"2", "32", "31;1", "33"};
+  std::string out;
+  for (const Looked& looked : all) {
+    const Checked& checked = looked.checked;
+    out += fmt::format("{}: {} ({:.1f} s)\n", looked.part->id, headline(looked), checked.seconds);
+    std::size_t wide = 0;
+    for (const State state : {State::notBegun, State::done, State::wrong, State::waits})
+      wide = std::max(wide, report::displayWidth(nameOf(state)));
+    for (const Row& row : checked.rows) {
+      const std::string note = noteOf(row);
+      out += fmt::format("  {}  {}  {}{}\n", padded(row.todo, 16),
+                         paint(padded(nameOf(row.state), wide), kColours[int(row.state)], colour),
+                         words(todoOf(*looked.part, row.todo).title),
+                         note.empty() ? "" : " (" + note + ")");
+    }
+    if (const std::string outcome = outcomeOf(checked); !outcome.empty()) out += outcome + '\n';
+    if (checked.firstWrong)
+      out += fmt::format("{}: {}\n", words("First wrong picture"), placeOf(*checked.firstWrong));
+    if (!checked.cause.empty())
+      out += fmt::format("{}: {}\n", words("Likely cause"), checked.cause);
+    if (!checked.hint.empty()) out += checked.hint + (checked.hint.ends_with('\n') ? "" : "\n");
+    for (const std::string& message : checked.messages) out += "  | " + message + '\n';
+    if (checked.happened.outcome == report::Outcome::buildFailed) out += checked.happened.output;
+    if (const std::string step = stepToRead(looked); !step.empty())
+      out += fmt::format("{}: {}\n",
+                         std::ranges::find(checked.rows, State::wrong, &Row::state) !=
+                                 checked.rows.end()
+                             ? words("Read again")
+                             : words("Next"),
+                         step);
+  }
+  return out;
+}
+
+nlohmann::json toJson(const std::vector<Looked>& all) {
+  nlohmann::json parts = nlohmann::json::array();
+  static const char* const kNames[] = {"not_begun", "done", "wrong", "waits"};
+  for (const Looked& looked : all) {
+    const Checked& checked = looked.checked;
+    nlohmann::json rows = nlohmann::json::array();
+    for (const Row& row : checked.rows)
+      rows.push_back({{"id", row.todo}, {"state", kNames[int(row.state)]}, {"seen", row.seen}});
+    nlohmann::json part = {{"part", looked.part->id},
+                           {"outcome", report::name(checked.happened.outcome)},
+                           {"detail", checked.happened.detail},
+                           {"todos", rows},
+                           {"cause", checked.cause},
+                           {"hint", checked.hint},
+                           {"messages", checked.messages},
+                           {"seconds", checked.seconds}};
+    if (checked.firstWrong)
+      part["first_wrong"] = {{"picture", checked.firstWrong->name},
+                             {"scene", checked.firstWrong->scene},
+                             {"share", checked.firstWrong->share}};
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+} // namespace ggrade::check

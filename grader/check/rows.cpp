@@ -1,0 +1,182 @@
+#include "check/rows.hpp"
+
+#include <algorithm>
+
+namespace ggrade::check {
+
+using diagnosis::Run;
+using diagnosis::SceneViews;
+using diagnosis::Slot;
+
+namespace {
+
+/// One picture of all those that a program is compared by. Passes come before windows, as in a
+/// frame.
+struct Cell {
+  std::size_t scene = 0;
+  std::optional<Slot> slot; ///< nothing: the window
+  std::size_t frame = 0;    ///< of the window
+};
+
+const Image* pictureOf(const SceneViews& views, const Cell& cell) {
+  if (!cell.slot) return cell.frame < views.windows.size() ? &views.windows[cell.frame] : nullptr;
+  const diagnosis::PassView* pass = views.find(*cell.slot);
+  return pass ? &pass->picture : nullptr;
+}
+
+/// All pictures that the program has after any of the steps, in the scenes that were drawn.
+std::vector<Cell> cellsOf(const Expected& expected, const Shown& shown) {
+  std::vector<Cell> cells;
+  for (std::size_t scene = 0; scene < shown.size(); ++scene) {
+    if (!shown[scene]) continue;
+    std::vector<Slot> slots;
+    for (const Run& step : expected.steps)
+      for (const diagnosis::PassView& pass : step[scene].passes)
+        if (std::ranges::find(slots, pass.slot) == slots.end()) slots.push_back(pass.slot);
+    // In the order of the finished frame; what only unfinished ones have comes first.
+    const auto order = [&](const Slot& slot) {
+      const auto& passes = expected.reference[scene].passes;
+      return std::ranges::find(passes, slot, &diagnosis::PassView::slot) - passes.begin();
+    };
+    std::ranges::stable_sort(slots, {}, [&](const Slot& slot) {
+      const auto at = order(slot);
+      return at == std::ptrdiff_t(expected.reference[scene].passes.size()) ? -1 : at;
+    });
+    for (const Slot& slot : slots) cells.push_back({scene, slot, 0});
+    for (std::size_t frame = 0; frame < expected.scenes[scene].times.size(); ++frame)
+      cells.push_back({scene, std::nullopt, frame});
+  }
+  return cells;
+}
+
+class Judging {
+public:
+  Judging(const Expected& expected, const Shown& shown)
+      : expected_(expected), shown_(shown), cells_(cellsOf(expected, shown)) {
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      for (std::size_t k = 0; k < expected.steps.size(); ++k)
+        same_.push_back(diagnosis::alike(ofStep(k, cells_[c]), ofProgram(cells_[c])));
+  }
+
+  std::size_t steps() const { return expected_.steps.size(); }
+
+  /// Steps after which all windows are the program's.
+  std::vector<std::size_t> withTheseWindows() const {
+    std::vector<std::size_t> found;
+    for (std::size_t k = 0; k < steps(); ++k) {
+      bool all = true;
+      for (std::size_t c = 0; c < cells_.size(); ++c)
+        if (!cells_[c].slot) all = all && same(c, k);
+      if (all) found.push_back(k);
+    }
+    return found;
+  }
+
+  /// The first picture that step k changes.
+  std::optional<std::size_t> firstChanged(std::size_t k) const {
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (!diagnosis::alike(ofStep(k, cells_[c]), ofStep(k - 1, cells_[c]))) return c;
+    return std::nullopt;
+  }
+
+  /// Is this picture as after step k or a later one?
+  bool isRight(std::size_t cell, std::size_t k) const {
+    for (; k < steps(); ++k)
+      if (same(cell, k)) return true;
+    return false;
+  }
+
+  /// How well the pixels that step k changes in a picture are those that aren't as after step
+  /// `should`: their intersection over their union.
+  double overlap(std::size_t cell, std::size_t k, std::size_t should) const {
+    const Cell& at = cells_[cell];
+    const Image* after = ofStep(k, at);
+    const std::vector<float> changed = diagnosis::distance(after, ofStep(k - 1, at));
+    const std::vector<float> wrong = diagnosis::distance(ofStep(should, at), ofProgram(at));
+    double both = 0, any = 0;
+    for (std::size_t i = 0; i < std::min(changed.size(), wrong.size()); ++i) {
+      both += double(std::min(changed[i], wrong[i]));
+      any += double(std::max(changed[i], wrong[i]));
+    }
+    return any > 0 ? both / any : 0;
+  }
+
+private:
+  const Image* ofStep(std::size_t k, const Cell& cell) const {
+    return pictureOf(expected_.steps[k][cell.scene], cell);
+  }
+  const Image* ofProgram(const Cell& cell) const { return pictureOf(*shown_[cell.scene], cell); }
+  bool same(std::size_t cell, std::size_t k) const { return same_[cell * steps() + k]; }
+
+  const Expected& expected_;
+  const Shown& shown_;
+  std::vector<Cell> cells_;
+  std::vector<bool> same_; ///< by cell and step
+};
+
+} // namespace
+
+std::size_t expectedStep(const Expected& expected, const std::set<std::string>& begun) {
+  std::size_t step = 0;
+  for (std::size_t k = 1; k <= expected.todos.size(); ++k)
+    if (begun.count(expected.todos[k - 1])) step = k;
+  return step;
+}
+
+std::vector<Row> rows(const Expected& expected, const Shown& shown,
+                      const std::set<std::string>& begun, const std::string& suspect) {
+  const Judging judging(expected, shown);
+  const std::vector<std::size_t> windows = judging.withTheseWindows();
+  const std::size_t should = expectedStep(expected, begun);
+  std::vector<Row> all;
+  std::vector<std::optional<std::size_t>> first{std::nullopt};
+  for (std::size_t k = 1; k < judging.steps(); ++k) {
+    first.push_back(judging.firstChanged(k));
+    Row row{expected.todos[k - 1], State::notBegun, first[k].has_value()};
+    const bool isBegun = begun.count(row.todo) > 0;
+    if (!windows.empty() && k <= windows.front())
+      row.state = isBegun || row.seen ? State::done : State::notBegun;
+    else if (isBegun &&
+             ((first[k] && judging.isRight(*first[k], k)) || (!row.seen && !windows.empty())))
+      row.state = State::done;
+    else if (isBegun)
+      row.state = State::waits;
+    all.push_back(row);
+  }
+  // Of those that aren't right one is to be mended first: the known mistake's; else, of those that
+  // change the earliest wrong picture, the one that changes what is wrong in it.
+  Row* culprit = nullptr;
+  std::size_t earliest = 0;
+  double most = -1;
+  for (std::size_t k = 1; k < judging.steps(); ++k) {
+    Row& row = all[k - 1];
+    if (row.state != State::waits) continue;
+    if (row.todo == suspect) {
+      culprit = &row;
+      break;
+    }
+    const bool gap =
+        std::any_of(all.begin(), all.begin() + std::ptrdiff_t(k), [](const Row& before) {
+          return before.state == State::notBegun && before.seen;
+        });
+    if (!first[k] || (gap && !windows.empty())) continue;
+    const double overlap = judging.overlap(*first[k], k, should);
+    if (!culprit || *first[k] < earliest || (*first[k] == earliest && overlap > most)) {
+      culprit = &row;
+      earliest = *first[k];
+      most = overlap;
+    }
+  }
+  if (!culprit && windows.empty())
+    for (Row& row : all)
+      if (row.state == State::waits || row.state == State::done) culprit = &row; // the last one
+  if (culprit) {
+    culprit->state = State::wrong;
+    // What comes before it and isn't seen is not what is wrong.
+    for (Row& row : all)
+      if (&row < culprit && row.state == State::waits) row.state = State::done;
+  }
+  return all;
+}
+
+} // namespace ggrade::check

@@ -1,0 +1,42 @@
+#pragma once
+/// \file
+/// How far a program has come, TODO by TODO.
+
+#include "check/expected.hpp"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ggrade::check {
+
+enum class State {
+  notBegun,
+  done,  ///< as far as the scenes that were drawn can show it
+  wrong, ///< the first one that isn't right
+  waits  ///< for one before it; may be right or wrong
+};
+
+/// One TODO.
+struct Row {
+  std::string todo; ///< ID
+  State state = State::notBegun;
+  bool seen = true; ///< false: no scene that was drawn shows anything of it
+};
+
+/// What a program showed in the first scenes of `Expected`; nothing for one that was not drawn.
+using Shown = std::vector<std::optional<diagnosis::SceneViews>>;
+
+/// One row a TODO. A program whose windows are those after some step is judged by these alone,
+/// however its passes are made; else each TODO by the first picture of a frame that it changes.
+/// \param begun TODOs whose places in the text have changed
+/// \param suspect the TODO that a known mistake points to; empty: none is known
+std::vector<Row> rows(const Expected& expected, const Shown& shown,
+                      const std::set<std::string>& begun, const std::string& suspect = {});
+
+/// How many TODOs the program after which `shown` should look has done: up to the last that is
+/// begun.
+std::size_t expectedStep(const Expected& expected, const std::set<std::string>& begun);
+
+} // namespace ggrade::check

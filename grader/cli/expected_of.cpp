@@ -1,0 +1,140 @@
+#include "cli/expected_of.hpp"
+
+#include "check/expected.hpp"
+#include "cli/derive.hpp"
+#include "cli/pass_files.hpp"
+#include "grading/catalogue.hpp"
+#include "grading/signatures.hpp"
+#include "grading/workspace.hpp"
+#include "image/png.hpp"
+#include "report/write_file.hpp"
+
+#include <fmt/format.h>
+
+namespace ggrade::cli {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// The scenes that a student may see.
+std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& part,
+                                   const fs::path& solutions, const std::set<std::string>& blank) {
+  std::vector<check::Scene> scenes;
+  const Target target{assignment, {part}, part.id};
+  for (const grading::SceneCase& scene : grading::drawScenes(target, solutions).scenes)
+    if (scene.isPublic) scenes.push_back({scene.name, scene.scene, scene.times, ""});
+  const fs::path file = solutions / "handout.json";
+  if (!fs::exists(file)) return scenes;
+  const json settings = readJson(file), steps = settings.value("steps", json::object());
+  for (std::size_t k = 1; k <= part.todos.size(); ++k)
+    if (const std::string& todo = part.todos[k - 1].id; blank.count(todo) && steps.contains(todo))
+      scenes.push_back({fmt::format("the handout's step {}", k),
+                        grading::handoutScene(assignment, part, settings, k),
+                        settings.at("times").get<std::vector<double>>(), todo});
+  return scenes;
+}
+
+std::set<std::string> allTodos(const Assignment& assignment) {
+  std::set<std::string> all;
+  for (const Part& part : assignment.parts)
+    for (const Todo& todo : part.todos) all.insert(todo.id);
+  return all;
+}
+
+} // namespace
+
+void writeExpected(const Assignment& assignment, const Part& part, const fs::path& solutions,
+                   const std::set<std::string>& blank, const fs::path& into, Progress& progress) {
+  check::Expected expected;
+  expected.assignment = assignment.id;
+  expected.part = part.id;
+  expected.scenes = scenesOf(assignment, part, solutions, blank);
+  for (const Todo& todo : part.todos)
+    if (blank.count(todo.id)) expected.todos.push_back(todo.id);
+
+  // What this part shows doesn't depend on the other parts' TODOs.
+  std::vector<std::set<std::string>> filled{allTodos(assignment)};
+  for (const std::string& todo : expected.todos) filled.front().erase(todo);
+  for (const std::string& todo : expected.todos) {
+    filled.push_back(filled.back());
+    filled.back().insert(todo);
+  }
+  std::vector<grading::Faulty> programs;
+  for (std::size_t k = 0; k < filled.size(); ++k)
+    programs.push_back({fmt::format("step.{}", k), "", {}, filled[k]});
+  const grading::Catalogue catalogue =
+      grading::loadCatalogue(assignment, part, solutions, solutions);
+  for (const grading::Mistake& mistake : catalogue.mistakes) {
+    const bool shows =
+        mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
+    if (!shows || !blank.count(mistake.step)) continue;
+    expected.faults.push_back({mistake.title, mistake.hint, mistake.step, {}});
+    programs.push_back({mistake.name,
+                        mistake.same.empty() ? mistake.name : mistake.same,
+                        {mistake.patch},
+                        std::nullopt});
+  }
+
+  const Target target{assignment, {part}, part.id};
+  grading::ScenePlan plan;
+  std::vector<std::size_t> numbers;
+  for (const check::Scene& scene : expected.scenes) {
+    numbers.push_back(plan.scenes.size());
+    plan.scenes.push_back({scene.name, true, {}, scene.times, scene.scene, "", {}});
+  }
+  const auto say = [&](const std::string& what, std::size_t done, std::size_t total) {
+    progress(part.id + ": " + what, done, total);
+  };
+  const grading::References references = grading::prepareReferences(target, solutions, plan, say);
+  for (const rubric::SceneFolders& scene : references.scenes)
+    expected.reference.push_back(grading::viewsIn(scene.reference));
+  const auto signatures = grading::renderSignatures(
+      target, solutions, programs, plan, numbers, references,
+      [&](std::size_t scene) -> const diagnosis::SceneViews& { return expected.reference[scene]; },
+      say);
+  for (std::size_t i = 0; i < signatures.size(); ++i) {
+    if (i < filled.size())
+      expected.steps.push_back(signatures[i].run);
+    else
+      expected.faults[i - filled.size()].signature = signatures[i];
+  }
+  check::save(expected, into);
+
+  std::set<std::string> handedOut = filled.front();
+  for (const std::string& todo : allTodos(assignment))
+    if (blank.count(todo)) handedOut.erase(todo);
+  report::makeFolder(check::stubFolder(into));
+  writeSources(assignment, solutions, handedOut, check::stubFolder(into));
+  for (std::size_t k = 0; k < filled.size(); ++k) {
+    say("pictures of the steps", k, filled.size());
+    const check::Scene& scene = expected.scenes.front();
+    const channel::Capture capture =
+        draw(assignment, solutions, filled[k], scene.scene, {scene.times.front()},
+             fmt::format("{} after {} TODOs", part.id, k));
+    writePng(check::stepPicture(into, k), rubric::toImage(grading::rawFrames(capture).at(0)));
+    if (k + 1 == filled.size()) writePassFiles(capture.trace, check::referenceFolder(into), true);
+  }
+}
+
+void updateExpected(const Target& target, const fs::path& solutions, const fs::path& into,
+                    Progress& progress) {
+  report::makeFolder(into);
+  for (const Part& part : target.parts) {
+    const Target one{target.assignment, {part}, part.id};
+    const std::string key =
+        grading::gradingKey(one, solutions, grading::drawScenes(one, solutions));
+    const fs::path note = into / part.id / "made-of";
+    if (fs::exists(note) && readFile(note) == key) continue;
+    std::set<std::string> blank;
+    for (const Todo& todo : part.todos) blank.insert(todo.id);
+    grading::TemporaryFolder work(into);
+    writeExpected(target.assignment, part, solutions, blank, work.path(), progress);
+    report::writeFile(work.path() / "made-of", key);
+    fs::remove_all(into / part.id);
+    fs::rename(work.path(), into / part.id);
+  }
+}
+
+} // namespace ggrade::cli

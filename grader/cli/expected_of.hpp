@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// What `ggrade check` holds a program against, made from the solution.
+
+#include "cli/terminal.hpp"
+#include "grading/scenes.hpp"
+
+#include <set>
+
+namespace ggrade::cli {
+
+/// Writes to `into`, a folder of this part's own, what check::Expected needs: the part's TODOs out
+/// of `blank` are to be done, all others are done already. The public scenes come first, then those
+/// of the handout's steps that have a scene of their own. Also the reference's passes there as
+/// pictures and as raw floats (see writePassFiles). Throws UsageError where a program fails.
+void writeExpected(const Assignment& assignment, const Part& part,
+                   const std::filesystem::path& solutions, const std::set<std::string>& blank,
+                   const std::filesystem::path& into, Progress& progress);
+
+/// Makes `into`/PART anew for each part of the target, all TODOs to be done, unless what is there
+/// was made by this tool from these files.
+void updateExpected(const Target& target, const std::filesystem::path& solutions,
+                    const std::filesystem::path& into, Progress& progress);
+
+} // namespace ggrade::cli
