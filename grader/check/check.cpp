@@ -3,6 +3,7 @@
 #include "check/begun.hpp"
 #include "diagnosis/generic.hpp"
 #include "diagnosis/outcome.hpp"
+#include "diagnosis/state.hpp"
 #include "grading/overlay.hpp"
 #include "image/png.hpp"
 #include "report/text.hpp"
@@ -20,6 +21,7 @@ namespace ggrade::check {
 namespace fs = std::filesystem;
 using diagnosis::SceneViews;
 using gg::say;
+using gg::words;
 
 namespace {
 
@@ -65,7 +67,9 @@ std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
   };
   std::istringstream output(rendering.happened.output);
   for (std::string line; std::getline(output, line);) add(line);
-  for (const channel::CapturedMessage& message : rendering.capture.messages) add(message.text);
+  for (const channel::CapturedMessage& message : rendering.capture.messages)
+    if (message.kind != channel::MessageKind::capture)
+      add(message.text); // that is about drawing offscreen
   return lines;
 }
 
@@ -119,6 +123,10 @@ private:
       if (i == 0) {
         checked_.messages = messagesOf(rendering);
         facts_ = grading::factsOf(rendering.capture, rendering.capture.trace);
+        stateFaults_ = diagnosis::stateFaults(rendering.capture.trace);
+        const std::set<std::string> with = diagnosis::samplersWithTexture(rendering.capture.trace);
+        for (const std::string& sampler : expected_.samplers[expectedStep(expected_, begun_)])
+          if (!with.count(sampler)) withoutTexture_.push_back(sampler);
         if (!frames.empty()) checked_.window = rubric::toImage(frames.front());
         checked_.happened = rendering.happened;
       }
@@ -152,7 +160,7 @@ private:
     const diagnosis::Run should = drawn(expected_.steps[step]);
     const auto first = diagnosis::firstWrong(student, should);
     std::string suspect;
-    if (first) suspect = likeliest(student);
+    if (first) suspect = likeliest(scenes[first->scene]);
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     // Right is what the windows show, however the passes are made.
     const bool allDone = std::ranges::all_of(checked_.rows, [&](const Row& row) {
@@ -166,25 +174,30 @@ private:
     }
   }
 
-  /// Names the known mistake that shows the same, in `cause` and `hint`. Returns its TODO.
-  std::string likeliest(const diagnosis::Run& student) {
+  /// Names the known mistake that shows the same in one scene, in `cause` and `hint`. Returns its
+  /// TODO.
+  std::string likeliest(std::size_t scene) {
     diagnosis::KnownFaults known;
-    known.reference = drawn(expected_.reference);
-    for (const Fault& fault : expected_.faults) {
-      known.signatures.push_back(fault.signature);
-      known.signatures.back().run = drawn(fault.signature.run);
-    }
+    known.reference = {expected_.reference[scene]};
+    std::vector<const Fault*> faults;
+    for (const Fault& fault : expected_.faults)
+      if (isShownIn(expected_.scenes[scene], fault.todo)) {
+        faults.push_back(&fault);
+        known.signatures.push_back(fault.signature);
+        known.signatures.back().run = {fault.signature.run[scene]};
+      }
     // An unfinished program is no mistake: one that looks like it is named by its step.
     for (std::size_t k = 0; k < expected_.steps.size(); ++k)
-      known.signatures.push_back({fmt::format("step-{}", k), "", drawn(expected_.steps[k]), true});
-    const auto found = known.identify(student);
-    if (!found || found->signature >= expected_.faults.size()) return {};
-    for (const std::size_t other : found->alike)
-      if (other >= expected_.faults.size()) return {};
-    const Fault& fault = expected_.faults[found->signature];
+      known.signatures.push_back(
+          {fmt::format("step-{}", k), "", {expected_.steps[k][scene]}, true});
+    const auto found = known.identify({*shown_[scene]});
+    if (!found || found->signature >= faults.size() ||
+        std::ranges::any_of(found->alike, [&](std::size_t i) { return i >= faults.size(); }))
+      return {};
+    const Fault& fault = *faults[found->signature];
     if (!begun_.count(fault.todo)) return {};
-    checked_.cause = fault.title;
-    checked_.hint = fault.hint;
+    checked_.cause = words(fault.title);
+    checked_.hint = words(fault.hint);
     return fault.todo;
   }
 
@@ -205,30 +218,61 @@ private:
     const Image* expected = picture(should[first.scene]);
     if (ours) wrong.ours = *ours;
     if (expected) wrong.expected = *expected;
-    if (checked_.cause.empty() && ours && expected && ours->channels() == expected->channels()) {
+    if (ours && expected && ours->channels() == expected->channels()) {
       const Image fitted = diagnosis::resized(*ours, expected->width(), expected->height());
       const diagnosis::Pair pair{&fitted, expected, nullptr, nullptr};
       if (const auto change = diagnosis::generic({&pair, 1}))
-        checked_.cause = diagnosis::words(*change, capitalized(wrong.name));
+        change_ = diagnosis::words(*change, capitalized(wrong.name));
     }
     checked_.firstWrong = std::move(wrong);
   }
 
-  /// What needs no picture to be told goes before what pictures tell.
+  /// What needs no picture to be told goes before what pictures tell: how the run ended, what the
+  /// frame doctor found, what state OpenGL was in.
   void outcome() {
-    report::Result result;
-    result.outcome = checked_.happened.outcome;
-    result.detail = checked_.happened.detail;
-    result.compilerOutput = compilerOutput_;
     const bool right = std::ranges::none_of(checked_.rows, [](const Row& row) {
       return row.state == State::wrong || row.state == State::waits;
     });
     if (right && checked_.happened.outcome == report::Outcome::graded) return;
+    report::Result result;
+    result.outcome = checked_.happened.outcome;
+    result.detail = checked_.happened.detail;
+    result.compilerOutput = compilerOutput_;
     if (const auto observed = diagnosis::outcomeDiagnosis(result, facts_)) {
       checked_.cause = observed->text;
       checked_.hint.clear();
+      // A program that ended itself has said why.
+      if (result.outcome == report::Outcome::crash && !checked_.messages.empty() && !checked_.happened.signalled)
+        checked_.cause = say("The program ended itself, and said: {}", checked_.messages.front());
       for (const std::string& beside : observed->beside) checked_.hint += beside + '\n';
+      return;
     }
+    std::vector<std::string> found = stateFaults_;
+    std::vector<std::string> warnings;
+    const std::string doctor(words("frame doctor: "));
+    bool asked = false;
+    for (const std::string& message : checked_.messages) {
+      if (message.starts_with(doctor) && !asked) {
+        found.push_back(message.substr(doctor.size()));
+        asked = true; // what it says after that are guesses
+      }
+      if (message.find(": warning: ") != message.npos) warnings.push_back(message);
+    }
+    for (const std::string& sampler : withoutTexture_)
+      found.push_back(say("The sampler {} reads no texture: is one bound to the texture unit that it "
+                          "is set to?",
+                          sampler));
+    if (!checked_.cause.empty()) {
+      found.push_back(checked_.cause);
+      if (!checked_.hint.empty()) found.push_back(checked_.hint);
+    }
+    found.insert(found.end(), warnings.begin(), warnings.end());
+    if (!change_.empty()) found.push_back(change_);
+    if (found.empty()) return;
+    checked_.cause = found.front();
+    checked_.hint.clear();
+    for (std::size_t k = 1; k < found.size(); ++k)
+      checked_.hint += (k > 1 ? "\n" : "") + found[k];
   }
 
   const Assignment& assignment_;
@@ -238,6 +282,9 @@ private:
   std::set<std::string> begun_;
   std::string compilerOutput_;
   diagnosis::Facts facts_;
+  std::vector<std::string> stateFaults_;
+  std::vector<std::string> withoutTexture_; // samplers of the public scene
+  std::string change_;                      // what turns the right picture into the wrong one
   Shown shown_;
   Checked checked_;
 };

@@ -16,17 +16,26 @@ fs::path viewsFile(const fs::path& folder, const std::string& program, std::size
   return folder / "views" / fmt::format("{}-{}.views", program, scene);
 }
 
+/// What is empty isn't written.
 void saveRun(const Run& run, const Run* base, const fs::path& folder, const std::string& program) {
   for (std::size_t i = 0; i < run.size(); ++i)
-    diagnosis::save(run[i], base ? &(*base)[i] : nullptr, viewsFile(folder, program, i));
+    if (!run[i].windows.empty())
+      diagnosis::save(run[i], base ? &(*base)[i] : nullptr, viewsFile(folder, program, i));
 }
 
-Run loadRun(std::size_t scenes, const Run* base, const fs::path& folder,
-            const std::string& program) {
-  Run run;
+/// `kept`: is this scene known of the program?
+template <class Kept>
+Run loadRun(std::size_t scenes, const Run* base, const fs::path& folder, const std::string& program,
+            Kept kept) {
+  Run run(scenes);
   for (std::size_t i = 0; i < scenes; ++i)
-    run.push_back(diagnosis::load(viewsFile(folder, program, i), base ? &(*base)[i] : nullptr));
+    if (kept(i))
+      run[i] = diagnosis::load(viewsFile(folder, program, i), base ? &(*base)[i] : nullptr);
   return run;
+}
+
+bool always(std::size_t) {
+  return true;
 }
 
 } // namespace
@@ -60,6 +69,7 @@ void save(const Expected& expected, const fs::path& folder) {
                                                    {"part", expected.part},
                                                    {"todos", expected.todos},
                                                    {"scenes", scenes},
+                                                   {"samplers", expected.samplers},
                                                    {"faults", faults}}
                                                   .dump(1));
   saveRun(expected.reference, nullptr, folder, "reference");
@@ -79,21 +89,22 @@ Expected load(const fs::path& folder) {
     all.at("assignment").get_to(expected.assignment);
     all.at("part").get_to(expected.part);
     all.at("todos").get_to(expected.todos);
+    all.at("samplers").get_to(expected.samplers);
     for (const json& scene : all.at("scenes"))
       expected.scenes.push_back({scene.at("name"), scene.at("scene"),
                                  scene.at("times").get<std::vector<double>>(), scene.at("todo")});
     const std::size_t scenes = expected.scenes.size();
-    expected.reference = loadRun(scenes, nullptr, folder, "reference");
+    expected.reference = loadRun(scenes, nullptr, folder, "reference", always);
     for (std::size_t k = 0; k <= expected.todos.size(); ++k)
       expected.steps.push_back(
-          loadRun(scenes, &expected.reference, folder, fmt::format("step-{}", k)));
-    for (const json& fault : all.at("faults")) {
+          loadRun(scenes, &expected.reference, folder, fmt::format("step-{}", k), always));
+    for (const json& one : all.at("faults")) {
       const std::string name = fmt::format("fault-{}", expected.faults.size());
-      expected.faults.push_back(
-          {fault.at("title"),
-           fault.at("hint"),
-           fault.at("todo"),
-           {name, fault.at("group"), loadRun(scenes, &expected.reference, folder, name)}});
+      Fault fault{one.at("title"), one.at("hint"), one.at("todo"), {name, one.at("group"), {}}};
+      fault.signature.run = loadRun(scenes, &expected.reference, folder, name, [&](std::size_t i) {
+        return isShownIn(expected.scenes[i], fault.todo);
+      });
+      expected.faults.push_back(std::move(fault));
     }
   } catch (const json::exception& error) {
     throw UsageError(fmt::format("{}: {}", file.string(), error.what()));

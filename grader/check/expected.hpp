@@ -7,6 +7,7 @@
 #include "diagnosis/match.hpp"
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct Scene {
 struct Fault {
   std::string title, hint;
   std::string todo; ///< in which it is made
+  /// Of the public scene and of those of its TODO; of the others nothing is known.
   diagnosis::Signature signature;
 };
 
@@ -34,9 +36,16 @@ struct Expected {
   std::vector<Scene> scenes;         ///< the public one first
   diagnosis::Run reference;          ///< by scene
   std::vector<diagnosis::Run> steps; ///< by TODOs done: todos.size() + 1
+  /// Samplers that read a texture in the public scene's first frame, by TODOs done.
+  std::vector<std::set<std::string>> samplers;
   std::vector<Fault> faults;
   std::filesystem::path folder; ///< where it was read from
 };
+
+/// Does a fault of this TODO show in a scene: the public one, or the TODO's own?
+inline bool isShownIn(const Scene& scene, const std::string& todo) {
+  return scene.todo.empty() || scene.todo == todo;
+}
 
 /// The files as they were handed out.
 std::filesystem::path stubFolder(const std::filesystem::path& folder);

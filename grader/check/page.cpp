@@ -28,8 +28,12 @@ std::size_t done(const Checked& checked) {
   return std::size_t(std::ranges::count(checked.rows, State::done, &Row::state));
 }
 
-std::string noteOf(const Row& row) {
-  if (row.state == State::done && !row.seen)
+std::string noteOf(const Checked& checked, const Row& row) {
+  // What is seen of a later TODO stands on this one.
+  const bool last = std::ranges::none_of(checked.rows, [&](const Row& later) {
+    return &later > &row && later.state == State::done && later.seen;
+  });
+  if (row.state == State::done && !row.seen && last)
     return say("as far as this scene shows: nothing of it can be seen yet");
   if (row.state == State::waits) return say("begun; judged once what comes before it is right");
   return {};
@@ -84,7 +88,7 @@ Data partOf(const Looked& looked) {
     one["title"] = report::line(words(todoOf(*looked.part, row.todo).title));
     one["state"] = report::line(nameOf(row.state));
     one["class"] = Data(std::string(kClasses[int(row.state)]));
-    one["note"] = report::line(noteOf(row));
+    one["note"] = report::line(noteOf(checked, row));
     rows.push_back(std::move(one));
   }
   part["rows"] = std::move(rows);
@@ -189,7 +193,7 @@ std::string table(const std::vector<Looked>& all, bool colour) {
     for (const State state : {State::notBegun, State::done, State::wrong, State::waits})
       wide = std::max(wide, report::displayWidth(nameOf(state)));
     for (const Row& row : checked.rows) {
-      const std::string note = noteOf(row);
+      const std::string note = noteOf(checked, row);
       out += fmt::format("  {}  {}  {}{}\n", padded(row.todo, 16),
                          paint(padded(nameOf(row.state), wide), kColours[int(row.state)], colour),
                          words(todoOf(*looked.part, row.todo).title),

@@ -3,6 +3,7 @@
 #include "check/expected.hpp"
 #include "cli/derive.hpp"
 #include "cli/pass_files.hpp"
+#include "diagnosis/state.hpp"
 #include "grading/catalogue.hpp"
 #include "grading/signatures.hpp"
 #include "grading/workspace.hpp"
@@ -61,22 +62,6 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
     filled.push_back(filled.back());
     filled.back().insert(todo);
   }
-  std::vector<grading::Faulty> programs;
-  for (std::size_t k = 0; k < filled.size(); ++k)
-    programs.push_back({fmt::format("step.{}", k), "", {}, filled[k]});
-  const grading::Catalogue catalogue =
-      grading::loadCatalogue(assignment, part, solutions, solutions);
-  for (const grading::Mistake& mistake : catalogue.mistakes) {
-    const bool shows =
-        mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
-    if (!shows || !blank.count(mistake.step)) continue;
-    expected.faults.push_back({mistake.title, mistake.hint, mistake.step, {}});
-    programs.push_back({mistake.name,
-                        mistake.same.empty() ? mistake.name : mistake.same,
-                        {mistake.patch},
-                        std::nullopt});
-  }
-
   const Target target{assignment, {part}, part.id};
   grading::ScenePlan plan;
   std::vector<std::size_t> numbers;
@@ -90,18 +75,47 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   const grading::References references = grading::prepareReferences(target, solutions, plan, say);
   for (const rubric::SceneFolders& scene : references.scenes)
     expected.reference.push_back(grading::viewsIn(scene.reference));
-  const auto signatures = grading::renderSignatures(
-      target, solutions, programs, plan, numbers, references,
-      [&](std::size_t scene) -> const diagnosis::SceneViews& { return expected.reference[scene]; },
-      say);
-  for (std::size_t i = 0; i < signatures.size(); ++i) {
-    if (i < filled.size())
-      expected.steps.push_back(signatures[i].run);
-    else
-      expected.faults[i - filled.size()].signature = signatures[i];
-  }
-  check::save(expected, into);
+  const auto showing = [&](const std::vector<grading::Faulty>& programs,
+                           const std::vector<std::size_t>& scenes) {
+    return grading::renderSignatures(
+        target, solutions, programs, plan, scenes, references,
+        [&](std::size_t scene) -> const diagnosis::SceneViews& {
+          return expected.reference[scene];
+        },
+        say);
+  };
 
+  std::vector<grading::Faulty> steps;
+  for (std::size_t k = 0; k < filled.size(); ++k)
+    steps.push_back({fmt::format("step.{}", k), "", {}, filled[k]});
+  for (diagnosis::Signature& step : showing(steps, numbers))
+    expected.steps.push_back(std::move(step.run));
+
+  const grading::Catalogue catalogue =
+      grading::loadCatalogue(assignment, part, solutions, solutions);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    std::vector<grading::Faulty> programs;
+    std::vector<std::size_t> shown;
+    std::size_t count = 0;
+    for (const grading::Mistake& mistake : catalogue.mistakes) {
+      const bool shows =
+          mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
+      if (!shows || !blank.count(mistake.step)) continue;
+      const std::size_t fault = count++;
+      const std::string group = mistake.same.empty() ? mistake.name : mistake.same;
+      if (i == 0)
+        expected.faults.push_back({mistake.title,
+                                   mistake.hint,
+                                   mistake.step,
+                                   {mistake.name, group, diagnosis::Run(numbers.size())}});
+      if (!check::isShownIn(expected.scenes[i], mistake.step)) continue;
+      programs.push_back({mistake.name, group, {mistake.patch}, std::nullopt});
+      shown.push_back(fault);
+    }
+    const auto signatures = showing(programs, {numbers[i]});
+    for (std::size_t k = 0; k < shown.size(); ++k)
+      expected.faults[shown[k]].signature.run[i] = signatures[k].run.at(0);
+  }
   std::set<std::string> handedOut = filled.front();
   for (const std::string& todo : allTodos(assignment))
     if (blank.count(todo)) handedOut.erase(todo);
@@ -113,9 +127,11 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
     const channel::Capture capture =
         draw(assignment, solutions, filled[k], scene.scene, {scene.times.front()},
              fmt::format("{} after {} TODOs", part.id, k));
+    expected.samplers.push_back(diagnosis::samplersWithTexture(capture.trace));
     writePng(check::stepPicture(into, k), rubric::toImage(grading::rawFrames(capture).at(0)));
     if (k + 1 == filled.size()) writePassFiles(capture.trace, check::referenceFolder(into), true);
   }
+  check::save(expected, into);
 }
 
 void updateExpected(const Target& target, const fs::path& solutions, const fs::path& into,

@@ -15,10 +15,6 @@ namespace {
 /// A difference of values from which on a pixel is as wrong as can be: beyond it, where something
 /// is wrong says more than by how much.
 constexpr float kWhole = 0.15f;
-/// Less than this share of a picture is no difference.
-constexpr double kNothing = 2e-4;
-/// A picture is wrong from this share of it on.
-constexpr double kWrong = 1e-3;
 /// Where a program filters in another way, at most this share of a pass differs.
 constexpr double kAnotherWay = 0.1;
 /// Windows that are as unlike as this may be the same.
@@ -86,7 +82,7 @@ struct Sum {
   double weight = 0, like = 0;
 
   void add(double wrong, double unlike, double times = 1) {
-    if (wrong < kNothing) return;
+    if (wrong < kFaintShare) return;
     // A small fault counts less than a large one, but its noise is larger.
     const double w = times * std::sqrt(wrong);
     weight += w;
@@ -122,7 +118,7 @@ std::vector<float> distance(const Image* a, const Image* b) {
 }
 
 bool alike(const Image* a, const Image* b) {
-  return equal(a, b) || mean(distance(a, b)) < kWrong;
+  return equal(a, b) || mean(distance(a, b)) < kWrongShare;
 }
 
 bool isOneColour(const Image& picture) {
@@ -138,13 +134,13 @@ bool isOneColour(const Image& picture) {
   return true;
 }
 
-std::optional<FirstWrong> firstWrong(const Run& student, const Run& reference) {
+std::optional<FirstWrong> firstWrong(const Run& student, const Run& reference, double least) {
   std::optional<FirstWrong> first;
   const auto consider = [&](std::size_t scene, std::optional<Slot> slot, std::size_t frame,
                             const Image* ours, const Image& theirs, int width, int height) {
     const Distances distances = distance(&theirs, ours);
     const double wrong = mean(distances);
-    if (wrong < kWrong || (first && wrong <= first->share)) return;
+    if (wrong < least || (first && wrong <= first->share)) return;
     FirstWrong found{scene, slot, frame, ours == nullptr, wrong, 0.5, 0.5, width, height};
     Mask wrongPixels(theirs.width(), theirs.height());
     for (int y = 0; y < theirs.height(); ++y)
@@ -232,9 +228,11 @@ Likeness likeness(const Run& student, const Run& signature, const Run& reference
     }
   }
   // Among what either has wrong, the first pass must be wrong in both.
-  const auto first = std::ranges::find_if(
-      slots, [](const Pass& pass) { return pass.ours >= kWrong || pass.theirs >= kWrong; });
-  const bool both = first != slots.end() && first->ours >= kWrong && first->theirs >= kWrong;
+  const auto first = std::ranges::find_if(slots, [](const Pass& pass) {
+    return pass.ours >= kWrongShare || pass.theirs >= kWrongShare;
+  });
+  const bool both =
+      first != slots.end() && first->ours >= kWrongShare && first->theirs >= kWrongShare;
   return {windows.mean(), all.mean(), both ? first->sum.mean() : 0};
 }
 
@@ -257,7 +255,8 @@ bool passIsLost(const std::optional<FirstWrong>& first) {
 /// however alike the windows are.
 bool passIsRight(const Run& student, const FirstWrong& theirs, const Run& reference) {
   const Image* const ours = pictureAt(student[theirs.scene], *theirs.slot);
-  return ours && mean(distance(pictureAt(reference[theirs.scene], *theirs.slot), ours)) < kWrong;
+  return ours &&
+         mean(distance(pictureAt(reference[theirs.scene], *theirs.slot), ours)) < kWrongShare;
 }
 
 bool windowsShowNothing(const Run& student) {

@@ -41,9 +41,16 @@ struct FirstWrong {
   int width = 0, height = 0; ///< of the submission's picture, pixels; 0 where it is missing
 };
 
-/// Over all scenes the earliest wrong pass, and the scene where most of it is wrong. Nothing where
-/// no picture is wrong.
-std::optional<FirstWrong> firstWrong(const Run& student, const Run& reference);
+/// A picture is wrong from this share of it on.
+inline constexpr double kWrongShare = 1e-3;
+/// Less than this share of a picture is no difference. What lies between the two may be wrong, and
+/// may be another way of drawing the same.
+inline constexpr double kFaintShare = 2e-4;
+
+/// Over all scenes the earliest pass of which at least the share `least` is wrong, and the scene
+/// where most of it is. Nothing where no picture is wrong.
+std::optional<FirstWrong> firstWrong(const Run& student, const Run& reference,
+                                     double least = kWrongShare);
 
 /// How much of what is wrong in one of two runs is wrong in the same way in the other.
 struct Likeness {

@@ -139,7 +139,7 @@ bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
 
 std::optional<Answer> Diagnoser::known(const std::vector<Faulty>& suspects,
                                        const std::vector<std::size_t>& scenes, const Run& student,
-                                       const diagnosis::Thresholds& thresholds) {
+                                       double least, const diagnosis::Thresholds& thresholds) {
   // The scene in which most is wrong: the public one if it can, because it is the same with every
   // seed.
   std::size_t telling = 0;
@@ -147,7 +147,7 @@ std::optional<Answer> Diagnoser::known(const std::vector<Faulty>& suspects,
   Run all;
   for (const std::size_t scene : scenes) all.push_back(reference(scene));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const auto wrong = diagnosis::firstWrong({student[i]}, {all[i]});
+    const auto wrong = diagnosis::firstWrong({student[i]}, {all[i]}, least);
     if (wrong && plan_.scenes[scenes[i]].isPublic) {
       telling = i;
       break;
@@ -247,10 +247,19 @@ Answer Diagnoser::answer(const std::vector<std::string>& lost, const Shown& show
       student.push_back(shown.views(scene));
       right.push_back(reference(scene));
     }
-    auto first = diagnosis::firstWrong(student, right);
+    // Where so little differs that it may be nothing, only what is known can be named.
+    double least = diagnosis::kWrongShare;
+    auto first = diagnosis::firstWrong(student, right, least);
+    const bool faint = !first;
+    if (faint) {
+      least = diagnosis::kFaintShare;
+      first = diagnosis::firstWrong(student, right, least);
+    }
     if (!first) continue;
-    if (auto found = known(suspects(lost, leftOut), scenes, student, thresholds))
+    if (auto found = known(suspects(lost, leftOut), scenes, student, least, thresholds))
       answer = std::move(*found);
+    else if (faint)
+      continue;
     else if (auto change = changed(scenes, student, shown, first))
       answer = std::move(*change);
     first->scene = scenes[first->scene];

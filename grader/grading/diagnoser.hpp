@@ -67,7 +67,7 @@ private:
                                const std::set<std::string>& leftOut) const;
   std::optional<Answer> known(const std::vector<Faulty>& suspects,
                               const std::vector<std::size_t>& scenes, const diagnosis::Run& student,
-                              const diagnosis::Thresholds& thresholds);
+                              double least, const diagnosis::Thresholds& thresholds);
   std::optional<Answer> changed(const std::vector<std::size_t>& scenes,
                                 const diagnosis::Run& student, const Shown& shown,
                                 const std::optional<diagnosis::FirstWrong>& first);

@@ -75,6 +75,7 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
                   std::size_t frameCount) {
   Happened happened;
   happened.seconds = run.wallSeconds;
+  happened.signalled = run.end == End::signalled;
   happened.output = report::sanitize(run.standardOutput + run.standardError);
   const std::string progress =
       fmt::format("{} of {} frames came", capture.frames.size(), frameCount);

@@ -31,6 +31,7 @@ struct Happened {
   std::string detail; ///< one sentence with the evidence
   std::string output; ///< what the program or compiler wrote, valid UTF-8
   double seconds = 0;
+  bool signalled = false; ///< a signal ended it
 
   bool ok() const {
     return outcome == report::Outcome::graded || outcome == report::Outcome::glError;
