@@ -71,6 +71,29 @@ TEST(DiagnosisViews, APassIsFoundByWhatItIs) {
   EXPECT_TRUE(views(frames, trace).passes.empty()); // copied was the first alone
 }
 
+TEST(DiagnosisViews, AnOutputIsTheSameWhereverItIsAttached) {
+  // Two textures, one dark and one bright; the shader's outputs go to them in either order.
+  const auto shown = [](std::uint8_t first, std::uint8_t second) {
+    trace::Trace trace = trace::samples::mirror();
+    trace.copies.clear();
+    trace.pixels.clear();
+    trace.passes[0].images[1] = trace.passes[0].images[0];
+    trace.passes[0].drawBuffers = 3;
+    std::ranges::fill(trace.passes[0].attachmentOfOutput, std::uint8_t(trace::kColors));
+    trace.passes[0].attachmentOfOutput[0] = first;
+    trace.passes[0].attachmentOfOutput[1] = second;
+    const std::vector<float> dark(16, 0.25f), bright(16, 0.75f);
+    trace::samples::addCopy(trace, 0, first, trace::PixelType::f32x4, 2, 2, dark);
+    trace::samples::addCopy(trace, 0, second, trace::PixelType::f32x4, 2, 2, bright);
+    return views({samples::scene(8, 4)}, trace);
+  };
+  for (const SceneViews& views : {shown(0, 1), shown(1, 0)}) {
+    ASSERT_EQ(views.passes.size(), 2u);
+    EXPECT_FLOAT_EQ(views.find({false, true, 0, 0})->picture.at(0, 0), 0.25f);
+    EXPECT_FLOAT_EQ(views.find({false, true, 0, 1})->picture.at(0, 0), 0.75f);
+  }
+}
+
 TEST(DiagnosisViews, FilesHoldWhatDiffersFromTheBase) {
   const TemporaryFolder folder;
   const SceneViews base = samples::views();

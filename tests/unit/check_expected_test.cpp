@@ -1,0 +1,69 @@
+#include "check/expected.hpp"
+#include "diagnosis_samples.hpp"
+#include "framework_temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+using namespace ggrade;
+using namespace ggrade::check;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+namespace {
+
+Expected small() {
+  Expected all;
+  all.assignment = "floor";
+  all.part = "mirror";
+  all.todos = {"mirror.1"};
+  all.scenes = {{"public", {{"size", {4, 3}}}, {0.25}, ""},
+                {"blurred", {}, {1}, "mirror.1"},
+                {"other", {}, {1}, "mirror.2"}};
+  diagnosis::SceneViews black = diagnosis::samples::views();
+  black.windows[0] = diagnosis::reduced(Image(320, 240, 3, 0.0f), 3);
+  const diagnosis::SceneViews right = diagnosis::samples::views();
+  all.reference = {right, right, right};
+  all.steps = {{black, right, right}, all.reference};
+  all.samplers = {{}, {"uReflection"}};
+  all.faults = {{"A title", "A hint", "mirror.1", {"x", "group", {black, right, {}}}}};
+  return all;
+}
+
+TEST(CheckExpected, IsReadAsItWasWritten) {
+  const TemporaryFolder folder;
+  save(small(), folder.path());
+  const Expected all = load(folder.path());
+  EXPECT_EQ(all.assignment, "floor");
+  EXPECT_EQ(all.part, "mirror");
+  EXPECT_THAT(all.todos, ElementsAre("mirror.1"));
+  ASSERT_EQ(all.scenes.size(), 3u);
+  EXPECT_EQ(all.scenes[0].scene.at("size"), nlohmann::json({4, 3}));
+  EXPECT_THAT(all.scenes[0].times, ElementsAre(0.25));
+  EXPECT_EQ(all.scenes[1].todo, "mirror.1");
+  ASSERT_EQ(all.steps.size(), 2u);
+  EXPECT_NEAR(all.steps[0][0].windows[0].at(0, 0), 0, 1e-4); // 16 bits
+  EXPECT_GT(all.steps[1][0].windows[0].at(0, 0), 0);
+  EXPECT_THAT(all.samplers[1], ElementsAre("uReflection"));
+  ASSERT_EQ(all.faults.size(), 1u);
+  EXPECT_EQ(all.faults[0].hint, "A hint");
+  EXPECT_EQ(all.faults[0].signature.group, "group");
+  EXPECT_NEAR(all.faults[0].signature.run[0].windows[0].at(0, 0), 0, 1e-4);
+  // Not its TODO's scene: nothing is known, nor is a file written.
+  EXPECT_TRUE(all.faults[0].signature.run[2].windows.empty());
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "views/fault-0-2.views"));
+}
+
+TEST(CheckExpected, SaysWhichFileIsAtFault) {
+  const TemporaryFolder folder;
+  EXPECT_THAT([&] { load(folder.path()); }, ThrowsMessage<UsageError>(HasSubstr("expected.json")));
+  save(small(), folder.path());
+  std::filesystem::resize_file(folder.path() / "views/step-0-0.views", 40);
+  EXPECT_THAT([&] { load(folder.path()); }, ThrowsMessage<UsageError>(HasSubstr("step-0-0.views")));
+  std::ofstream(folder.path() / "expected.json") << "{\"assignment\": 3}";
+  EXPECT_THAT([&] { load(folder.path()); }, ThrowsMessage<UsageError>(HasSubstr("expected.json")));
+}
+
+} // namespace

@@ -1,0 +1,115 @@
+#include "check/rows.hpp"
+#include "diagnosis_samples.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace ggrade;
+using namespace ggrade::check;
+using diagnosis::SceneViews;
+using diagnosis::samples::painted;
+using diagnosis::samples::scene;
+
+namespace {
+
+/// One scene with a texture and one frame of the window.
+SceneViews seen(const Image& texture, const Image& window) {
+  SceneViews views;
+  views.passes.push_back({{false, true, 0, 0}, 256, 256, diagnosis::reduced(texture, 3)});
+  views.windows = {diagnosis::reduced(window, 3)};
+  views.width = window.width();
+  views.height = window.height();
+  return views;
+}
+
+const Image kEmpty(256, 256, 3, 0.2f);
+const Image kTexture = painted(kEmpty, 0.3f, 0.3f, 0.7f, 0.7f, 0.8f);
+const Image kWindow = scene();
+const Image kSampled = painted(kWindow, 0, 0.6f, 1, 1, 0.3f);
+const Image kShows = painted(kSampled, 0.4f, 0.7f, 0.6f, 0.9f, 0.8f);
+const Image kClipped = painted(kShows, 0.4f, 0.85f, 0.6f, 0.9f, 0.1f);
+
+/// Like the mirror: 1 shows nothing, 2 only in the texture, 3 only in the window, 4 in both, and so
+/// does 5.
+Expected expected() {
+  Expected all;
+  for (const char* todo : {"m.1", "m.2", "m.3", "m.4", "m.5"}) all.todos.push_back(todo);
+  all.scenes = {{"public", {}, {0}, ""}};
+  SceneViews stub = seen(kEmpty, kWindow);
+  stub.passes.clear();
+  const Image clippedTexture = painted(kTexture, 0.3f, 0.6f, 0.7f, 0.7f, 0.2f);
+  for (const SceneViews& views : {stub, stub, seen(kEmpty, kWindow), seen(kEmpty, kSampled),
+                                  seen(kTexture, kShows), seen(clippedTexture, kClipped)})
+    all.steps.push_back({views});
+  all.reference = all.steps.back();
+  return all;
+}
+
+std::set<std::string> first(std::size_t count) {
+  std::set<std::string> begun;
+  for (std::size_t k = 1; k <= count; ++k) begun.insert("m." + std::to_string(k));
+  return begun;
+}
+
+/// One letter a row: d done, w wrong, t waits, n not begun.
+std::string states(const SceneViews& views, const std::set<std::string>& begun,
+                   const std::string& suspect = "") {
+  std::string text;
+  for (const Row& row : rows(expected(), {views}, begun, suspect)) text += "ndwt"[int(row.state)];
+  return text;
+}
+
+TEST(CheckRows, EveryStepIsDoneUpToItself) {
+  const Expected all = expected();
+  const char* const kWanted[] = {"nnnnn", "dnnnn", "ddnnn", "dddnn", "ddddn", "ddddd"};
+  for (std::size_t k = 0; k <= 5; ++k)
+    EXPECT_EQ(states(all.steps[k][0], first(k)), kWanted[k]) << k;
+}
+
+TEST(CheckRows, WhatIsSeenIsDoneWhereverItWasWritten) {
+  EXPECT_EQ(states(expected().steps[4][0], {}), "ndddn"); // the text alone tells of the first
+}
+
+TEST(CheckRows, WhatIsBegunAndDoesNotShowIsWrong) {
+  EXPECT_EQ(states(expected().steps[3][0], first(4)), "dddwn");
+  EXPECT_EQ(states(expected().steps[1][0], first(2)), "dwnnn");
+}
+
+TEST(CheckRows, TheFirstWrongPictureTellsWhichOne) {
+  // A wrong texture, and what follows from it in the window.
+  EXPECT_EQ(states(seen(painted(kEmpty, 0.4f, 0.3f, 0.8f, 0.7f, 0.8f),
+                        painted(kSampled, 0.45f, 0.7f, 0.65f, 0.9f, 0.8f)),
+                   first(4)),
+            "dddwn");
+  // The texture is right and the window isn't: what the window alone shows.
+  EXPECT_EQ(states(seen(kTexture, painted(kWindow, 0, 0.6f, 1, 1, 0.9f)), first(4)), "ddwdn");
+}
+
+TEST(CheckRows, OfTwoThatChangeTheSamePictureTheOneThatChangesWhatIsWrong) {
+  // Wrong is what 5 changes in the texture.
+  const Image texture = painted(kTexture, 0.3f, 0.6f, 0.7f, 0.7f, 0.5f);
+  EXPECT_EQ(states(seen(texture, painted(kClipped, 0.4f, 0.85f, 0.6f, 0.9f, 0.95f)), first(5)),
+            "ddddw");
+}
+
+TEST(CheckRows, AKnownMistakePointsToItsTodo) {
+  const SceneViews views = seen(painted(kTexture, 0.5f, 0, 1, 1, 0.9f), kWindow);
+  EXPECT_EQ(states(views, first(5), "m.4"), "dddwt");
+}
+
+TEST(CheckRows, WhatWasLeftOutIsWaitedFor) {
+  std::set<std::string> begun = first(5);
+  begun.erase("m.3");
+  // The texture is right already, the window can't be.
+  EXPECT_EQ(states(seen(kTexture, kWindow), {"m.1", "m.2", "m.4"}), "ddndn");
+  EXPECT_EQ(states(seen(kEmpty, kWindow), begun), "ddntt");
+}
+
+TEST(CheckRows, PassesMayBeMadeInAnotherWayWhereTheWindowIsRight) {
+  EXPECT_EQ(states(seen(Image(256, 256, 3, 0.9f), kClipped), first(5)), "ddddd");
+}
+
+TEST(CheckRows, SomethingElseThatIsWrongIsTheLastOnes) {
+  EXPECT_EQ(states(seen(kEmpty, Image(320, 240, 3, 0.0f)), first(1)), "wnnnn");
+}
+
+} // namespace

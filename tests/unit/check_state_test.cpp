@@ -1,0 +1,85 @@
+#include "diagnosis/state.hpp"
+#include "trace_samples.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace ggrade;
+using diagnosis::stateFaults;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace {
+
+/// A pass into a texture, and the window's with one step, which draws.
+trace::Trace drawing() {
+  trace::Trace trace = trace::samples::mirror();
+  for (trace::StepRecord& step : trace.steps) {
+    step.draws = 1;
+    step.scissorTest = 0;
+  }
+  return trace;
+}
+
+/// What is said when this is done to the window's step.
+template <class Change> std::vector<std::string> after(Change change) {
+  trace::Trace trace = drawing();
+  change(trace.steps[1]);
+  return stateFaults(trace);
+}
+
+TEST(CheckState, SilentWhenAllIsWell) {
+  EXPECT_THAT(stateFaults(drawing()), IsEmpty());
+  EXPECT_THAT(stateFaults({}), IsEmpty());
+}
+
+TEST(CheckState, NamesWhatHidesEverything) {
+  using Step = trace::StepRecord;
+  EXPECT_THAT(after([](Step& s) { s.program = 0; }),
+              ElementsAre(HasSubstr("no program is in use")));
+  EXPECT_THAT(after([](Step& s) { s.colorMask = 0; }), ElementsAre(HasSubstr("glColorMask")));
+  EXPECT_THAT(after([](Step& s) { s.scissorTest = 1; }), ElementsAre(HasSubstr("scissor")));
+  EXPECT_THAT(after([](Step& s) { s.depthTest = GL_NEVER; }), ElementsAre(HasSubstr("GL_NEVER")));
+  EXPECT_THAT(after([](Step& s) {
+                s.blend = 1;
+                s.blendSource = GL_ZERO;
+                s.blendDestination = GL_ONE;
+              }),
+              ElementsAre(HasSubstr("GL_ZERO")));
+  EXPECT_THAT(after([](Step& s) { s.cullFace = GL_FRONT_AND_BACK; }),
+              ElementsAre(HasSubstr("culled")));
+  EXPECT_THAT(after([](Step& s) { s.viewport[2] = 0; }), ElementsAre(HasSubstr("viewport")));
+  EXPECT_THAT(after([](Step& s) { s.depthWrite = 0; }), ElementsAre(HasSubstr("glDepthMask")));
+}
+
+TEST(CheckState, WhatOnlyATextureIsDrawnWithIsNotTheWindows) {
+  trace::Trace trace = drawing();
+  trace.steps[0].colorMask = 0;
+  trace.steps[0].depthWrite = 0;
+  EXPECT_THAT(stateFaults(trace), IsEmpty());
+}
+
+TEST(CheckState, NamesClearsThatHideEverything) {
+  trace::Trace trace = drawing();
+  trace.passes[1].cleared |= 1U << trace::kDepth;
+  trace.passes[1].clearDepth = 0;
+  EXPECT_THAT(stateFaults(trace), ElementsAre(HasSubstr("glClearDepth")));
+
+  trace = drawing();
+  trace::PassRecord last = trace.passes[1];
+  last.draws = last.stepCount = 0;
+  last.cleared = 1;
+  trace.passes.push_back(last);
+  trace.frames[0].passCount = 3;
+  EXPECT_THAT(stateFaults(trace), ElementsAre(HasSubstr("cleared after the last draw")));
+}
+
+TEST(CheckState, SamplersWithATextureAreListed) {
+  trace::Trace trace = drawing();
+  ASSERT_FALSE(trace.samples.empty());
+  EXPECT_THAT(diagnosis::samplersWithTexture(trace), ElementsAre(trace.samples[0].uniform));
+  trace.samples[0].image.name = 0;
+  EXPECT_THAT(diagnosis::samplersWithTexture(trace), IsEmpty());
+}
+
+} // namespace
