@@ -1,8 +1,9 @@
 #include "tool.hpp"
 
+#include "authoring/solution_blocks.hpp"
 #include "grading/patched.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <chrono>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <iostream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -246,6 +248,39 @@ Graded grade(const fs::path& folder, const Arguments& more, const Environment& e
 
 Graded grade(const Submission& submission, const Arguments& more, const Environment& environment) {
   return grade(submission.path(), more, environment);
+}
+
+int expectNoSolutionIn(const ggrade::Assignment& assignment, const fs::path& folder) {
+  std::string handedOut;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && entry.path().extension() != ".png" &&
+        entry.path().extension() != ".f32" && entry.path().extension() != ".views")
+      handedOut += read(entry.path());
+  EXPECT_THAT(handedOut, testing::Not(testing::HasSubstr("SOLUTION(" + assignment.parts[0].id)));
+  const fs::path solution = kSource / "solutions" / assignment.id;
+  std::string around; // what stands outside of blocks in any file that is handed out
+  for (const std::string& name : assignment.files)
+    around += ggrade::authoring::withFilled(read(solution / name), name, {});
+  int blocks = 0;
+  for (const auto& entry : fs::directory_iterator(solution)) {
+    const std::string name = entry.path().filename();
+    if (!entry.is_regular_file() || name.starts_with("rubric")) continue;
+    const std::string text = read(entry.path());
+    for (const std::string& block : ggrade::authoring::blocks(text, name)) {
+      ++blocks;
+      if (around.find(block) == around.npos) {
+        EXPECT_EQ(handedOut.find(block), handedOut.npos) << name << ":\n" << block;
+      }
+      std::istringstream in(block);
+      for (std::string line; std::getline(in, line);) {
+        line.erase(0, line.find_first_not_of(' '));
+        // Shorter ones are no secret, nor what stands outside of blocks, too.
+        if (line.size() < 30 || around.find(line) != around.npos) continue;
+        EXPECT_EQ(handedOut.find(line), handedOut.npos) << name << ": " << line;
+      }
+    }
+  }
+  return blocks;
 }
 
 std::string read(const fs::path& file) {

@@ -4,6 +4,8 @@
 
 #include "../unit/framework_temporary_folder.hpp"
 
+#include "assignment/assignment.hpp"
+
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -119,6 +121,10 @@ Graded grade(const fs::path& folder, const Arguments& more = {},
 Graded gradePart(const std::string& part, const fs::path& folder, const Arguments& more = {},
                  const Environment& environment = {});
 Graded gradePart(const std::string& part, const Submission& submission);
+
+/// Expects no line of an assignment's solution in any file under `handedOut`. Returns the number of
+/// blocks that the solution has.
+int expectNoSolutionIn(const ggrade::Assignment& assignment, const fs::path& handedOut);
 
 /// A whole file as text; fails the test where there is none.
 std::string read(const fs::path& file);

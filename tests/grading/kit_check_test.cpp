@@ -1,0 +1,170 @@
+// `ggrade check`: why a window is white or black, and every save.
+
+#include "tool.hpp"
+
+#include <gmock/gmock.h>
+
+#include <csignal>
+
+#include <chrono>
+#include <thread>
+
+using namespace tool;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace {
+
+/// What to expect of part mirror, made once.
+class Check : public testing::Test {
+protected:
+  void SetUp() override {
+    const Ended ended = runTool({"expect", "mirror", "--out", folder_.path()}, {}, 400);
+    ASSERT_EQ(ended.exitCode, 0) << ended.errors;
+  }
+
+  Arguments command(const fs::path& files, const Arguments& more = {}) const {
+    Arguments all = {kBuild / "bin/ggrade-check",
+                     "mirror",
+                     "--expected",
+                     folder_.path(),
+                     "--folder",
+                     files,
+                     "--out",
+                     folder_.path() / "check.html"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+
+  json checked(const fs::path& files) const {
+    const Ended ended = Running(command(files, {"--json"})).wait(100);
+    EXPECT_NE(ended.out, "") << ended.errors;
+    return ended.out.empty() ? json() : json::parse(ended.out).at(0);
+  }
+
+  TemporaryFolder folder_;
+};
+
+/// One way to a window without a picture.
+struct Window {
+  const char* name;
+  const char* file;
+  std::string from, to;
+  const char* cause; ///< what the sentence must name
+};
+
+const std::string kEndOfMirror = "      glBindFramebuffer(GL_FRAMEBUFFER, 0);\n"
+                                 "      glViewport(0, 0, window.width(), window.height());\n"
+                                 "      // END SOLUTION(mirror.2)";
+const std::string kClear = "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
+                           "    light.load(scene.light.in(view));";
+const std::string kDepthTest = "  glEnable(GL_DEPTH_TEST);";
+const std::string kUse = "    objectProgram.use();";
+
+std::vector<Window> windows() {
+  return {
+      {"swap in a comment", "floor.cpp", "    window.swapBuffers();",
+       "    // shown at last \\\n    window.swapBuffers();", "a comment swallows the line"},
+      {"framebuffer object left bound", "floor.cpp", kEndOfMirror,
+       "      glViewport(0, 0, window.width(), window.height());\n", "is still bound"},
+      {"window not cleared", "floor.cpp", kClear, "    light.load(scene.light.in(view));",
+       "was not cleared"},
+      {"depth not cleared", "floor.cpp", kClear,
+       "    glClear(GL_COLOR_BUFFER_BIT);\n    light.load(scene.light.in(view));",
+       "depth of the window was not cleared"},
+      {"viewport of the framebuffer object", "floor.cpp", kEndOfMirror,
+       "      glBindFramebuffer(GL_FRAMEBUFFER, 0);\n", "viewport is 1024 x 1024"},
+      {"empty viewport", "floor.cpp", kEndOfMirror,
+       "      glBindFramebuffer(GL_FRAMEBUFFER, 0);\n      glViewport(0, 0, 0, 0);\n",
+       "viewport is empty"},
+      {"incomplete framebuffer object", "mirror.hpp", "glRenderbufferStorage(",
+       "if (size < 0) glRenderbufferStorage(", "framebuffer object is not complete"},
+      {"shader that doesn't compile", "object.frag", "void main() {",
+       "void main() {\n  vec3 wrong = 1.0;", "shader doesn't compile"},
+      {"sampler on another unit", "floor.cpp", "tileProgram.set(\"uReflection\", 0);",
+       "tileProgram.set(\"uReflection\", 3);", "sampler uReflection reads no texture"},
+      {"texture that lacks mipmaps", "mirror.hpp",
+       "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);", "", "mipmaps"},
+      {"out of view", "floor.cpp",
+       "const glm::mat4 projection = scene.camera.projection(window.aspect());",
+       "const glm::mat4 projection = glm::perspective(1.0f, 1.0f, 0.01f, 0.1f);",
+       "projection * view * model * position"},
+      {"depth mask", "floor.cpp", kUse, "    glDepthMask(GL_FALSE);\n" + kUse, "glDepthMask"},
+      {"colour mask", "floor.cpp", kUse,
+       "    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);\n" + kUse, "glColorMask"},
+      {"name of a uniform", "floor.cpp", "    program.set(\"uProjection\", projection);",
+       "    program.set(\"uProjektion\", projection);", "uProjektion"},
+      {"endless loop", "floor.cpp", "    const double time = glfwGetTime();",
+       "    const double time = glfwGetTime();\n    while (glfwGetTime() >= 0) {}",
+       "swapBuffers() is not reached"},
+      {"blending with zero", "floor.cpp", kDepthTest,
+       kDepthTest + "\n  glEnable(GL_BLEND);\n  glBlendFunc(GL_ZERO, GL_ZERO);", "GL_ZERO"},
+      {"depth test that nothing passes", "floor.cpp", kDepthTest,
+       kDepthTest + "\n  glDepthFunc(GL_NEVER);", "GL_NEVER"},
+      {"depth cleared to 0", "floor.cpp", kDepthTest, kDepthTest + "\n  glClearDepth(0);",
+       "glClearDepth(1)"},
+      {"no program", "floor.cpp", kUse, "    glUseProgram(0);", "no program is in use"},
+      {"scissor", "floor.cpp", kDepthTest,
+       kDepthTest + "\n  glEnable(GL_SCISSOR_TEST);\n  glScissor(0, 0, 0, 0);", "GL_SCISSOR_TEST"},
+      {"cleared last", "floor.cpp", "    window.swapBuffers();",
+       "    glClear(GL_COLOR_BUFFER_BIT);\n    window.swapBuffers();",
+       "cleared after the last draw"},
+      {"culling left", "floor.cpp", "      glCullFace(GL_BACK);\n", "",
+       "culling is left at GL_FRONT"},
+  };
+}
+
+TEST_F(Check, NamesWhyAWindowIsWhiteOrBlack) {
+  const json right = checked(Submission::solution().path());
+  EXPECT_EQ(right.at("cause"), "");
+  EXPECT_EQ(right.at("messages"), json::array()) << "the doctor is silent when all is well";
+  for (const json& todo : right.at("todos")) EXPECT_EQ(todo.at("state"), "done");
+  for (const Window& window : windows()) {
+    SCOPED_TRACE(window.name);
+    Submission submission = Submission::solution();
+    submission.replace(window.file, window.from, window.to);
+    const json part = checked(submission.path());
+    EXPECT_THAT(part.at("cause").get<std::string>(), HasSubstr(window.cause));
+    EXPECT_THAT(part.at("cause").get<std::string>(), Not(HasSubstr("\n")));
+  }
+}
+
+TEST_F(Check, NamesAKnownMistakeAndItsTodo) {
+  const json part = checked(Submission::example("light_not_mirrored").path());
+  EXPECT_THAT(part.at("cause").get<std::string>(), HasSubstr("light"));
+  EXPECT_EQ(part.at("todos").at(3).at("state"), "wrong") << part.dump(1);
+  EXPECT_EQ(part.at("todos").at(1).at("state"), "done");
+}
+
+TEST_F(Check, AProgramThatDoesNotCompileIsNamedWithItsLine) {
+  const Ended ended = Running(command(Submission::example("build_error").path())).wait(100);
+  EXPECT_EQ(ended.exitCode, 1);
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("error:"), HasSubstr("floor.cpp:")));
+}
+
+TEST_F(Check, LooksAgainAtEverySave) {
+  Submission submission = Submission::firstSteps(2);
+  Running watching(command(submission.path(), {"--watch"}));
+  const auto waitFor = [&](const std::string& text) {
+    for (int i = 0; i < 600; ++i) {
+      if (watching.out().find(text) != std::string::npos) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    return false;
+  };
+  EXPECT_TRUE(waitFor("2 of 7 done")) << watching.out() << watching.errors();
+  const fs::path page = folder_.path() / "check.html";
+  EXPECT_THAT(read(page), AllOf(HasSubstr("2 of 7 done"), HasSubstr("data-watched")));
+  const Submission more = Submission::firstSteps(4);
+  for (const std::string& name : names(more.path()))
+    fs::copy_file(more.path() / name, submission.path() / name,
+                  fs::copy_options::overwrite_existing);
+  EXPECT_TRUE(waitFor("4 of 7 done")) << watching.out() << watching.errors();
+  EXPECT_THAT(read(page), HasSubstr("4 of 7 done"));
+  watching.signalGroup(SIGINT);
+  EXPECT_EQ(watching.wait(10).exitCode, 130);
+}
+
+} // namespace
