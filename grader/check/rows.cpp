@@ -72,17 +72,21 @@ public:
     return found;
   }
 
-  /// The first picture that step k changes.
+  /// The first picture that step k changes or adds. (One may go, such as a texture that was only
+  /// cleared, once objects are drawn into it.)
   std::optional<std::size_t> firstChanged(std::size_t k) const {
     for (std::size_t c = 0; c < cells_.size(); ++c)
-      if (!diagnosis::alike(ofStep(k, cells_[c]), ofStep(k - 1, cells_[c]))) return c;
+      if (ofStep(k, cells_[c]) && !diagnosis::alike(ofStep(k, cells_[c]), ofStep(k - 1, cells_[c])))
+        return c;
     return std::nullopt;
   }
 
-  /// Is this picture as after step k or a later one?
-  bool isRight(std::size_t cell, std::size_t k) const {
+  /// Is this picture as after step k or a later one? One that is gone is, where it should be gone
+  /// after step `should`.
+  bool isRight(std::size_t cell, std::size_t k, std::size_t should) const {
+    if (!ofProgram(cells_[cell])) return !ofStep(should, cells_[cell]);
     for (; k < steps(); ++k)
-      if (same(cell, k)) return true;
+      if (ofStep(k, cells_[cell]) && same(cell, k)) return true;
     return false;
   }
 
@@ -136,8 +140,8 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     const bool isBegun = begun.count(row.todo) > 0;
     if (!windows.empty() && k <= windows.front())
       row.state = isBegun || row.seen ? State::done : State::notBegun;
-    else if (isBegun &&
-             ((first[k] && judging.isRight(*first[k], k)) || (!row.seen && !windows.empty())))
+    else if (isBegun && ((first[k] && judging.isRight(*first[k], k, should)) ||
+                         (!row.seen && !windows.empty())))
       row.state = State::done;
     else if (isBegun)
       row.state = State::waits;

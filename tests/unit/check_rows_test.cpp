@@ -36,8 +36,14 @@ Expected expected() {
   all.scenes = {{"public", {}, {0}, ""}};
   SceneViews stub = seen(kEmpty, kWindow);
   stub.passes.clear();
+  // What is only cleared is not yet the texture that objects are drawn into.
+  const auto cleared = [](const Image& window) {
+    SceneViews views = seen(kEmpty, window);
+    views.passes[0].slot.mesh = false;
+    return views;
+  };
   const Image clippedTexture = painted(kTexture, 0.3f, 0.6f, 0.7f, 0.7f, 0.2f);
-  for (const SceneViews& views : {stub, stub, seen(kEmpty, kWindow), seen(kEmpty, kSampled),
+  for (const SceneViews& views : {stub, stub, cleared(kWindow), cleared(kSampled),
                                   seen(kTexture, kShows), seen(clippedTexture, kClipped)})
     all.steps.push_back({views});
   all.reference = all.steps.back();
