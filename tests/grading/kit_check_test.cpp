@@ -60,7 +60,7 @@ const std::string kEndOfMirror = "      glBindFramebuffer(GL_FRAMEBUFFER, 0);\n"
                                  "      // END SOLUTION(mirror.2)";
 const std::string kClear = "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
                            "    light.load(scene.light.in(view));";
-const std::string kDepthTest = "  glEnable(GL_DEPTH_TEST);";
+const std::string kDepthTest = "  glEnable(GL_DEPTH_TEST);\n  glEnable(GL_CULL_FACE);";
 const std::string kUse = "    objectProgram.use();";
 
 std::vector<Window> windows() {

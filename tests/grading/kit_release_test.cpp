@@ -26,8 +26,8 @@ std::vector<std::string> statesOf(const std::string& part, const fs::path& expec
                           .wait(100);
   EXPECT_THAT(ended.exitCode, testing::AnyOf(0, 1)) << ended.errors;
   std::vector<std::string> states;
-  for (const json& todo : json::parse(ended.out).at(0).at("todos"))
-    states.push_back(todo.at("state"));
+  const json all = json::parse(ended.out);
+  for (const json& todo : all.at(0).at("todos")) states.push_back(todo.at("state"));
   return states;
 }
 
