@@ -6,6 +6,7 @@
 
 #include "doctor_state.hpp"
 #include "print_once.hpp"
+#include "words/words.hpp"
 #include <gg/gl.hpp>
 
 namespace gg {
@@ -35,7 +36,8 @@ void GLAD_API_PTR receive(GLenum source, GLenum type, GLuint, GLenum severity, G
   std::string text =
       length < 0 ? std::string(message) : std::string(message, static_cast<std::size_t>(length));
   while (!text.empty() && (text.back() == '\n' || text.back() == '\0')) text.pop_back();
-  detail::printOnce((type == GL_DEBUG_TYPE_ERROR ? "OpenGL: error: " : "OpenGL: warning: ") + text +
+  detail::printOnce((type == GL_DEBUG_TYPE_ERROR ? say("OpenGL: error: {}", text)
+                                                 : say("OpenGL: warning: {}", text)) +
                     detail::lastPlace());
 }
 
@@ -61,7 +63,7 @@ void reportErrors(const char* where) {
   for (int i = 0; i < kMost; ++i) {
     const GLenum error = glGetError();
     if (error == GL_NO_ERROR) return;
-    detail::printOnce(std::string("OpenGL: error: ") + detail::errorName(error) + " in " + where);
+    detail::printOnce(say("OpenGL: error: {} in {}", detail::errorName(error), where));
   }
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "json_positions.hpp"
+#include "words/words.hpp"
 #include <fmt/format.h>
 #include <gg/error.hpp>
 #include <gg/text_file.hpp>
@@ -235,14 +236,16 @@ std::string Declarations::nearest(std::string_view key) const {
 }
 
 std::string Declarations::describe(const KeyDeclaration& key) {
-  if (key.type == KeyType::boolean) return "true or false";
-  if (key.type == KeyType::text) return "a text in quotes";
+  if (key.type == KeyType::boolean) return say("true or false");
+  if (key.type == KeyType::text) return say("a text in quotes");
   const bool whole = key.type == KeyType::integer;
   if (key.length == 1)
-    return fmt::format("a {} between {} and {}", whole ? "whole number" : "number", key.lowest,
-                       key.highest);
-  return fmt::format("an array of {} {} between {} and {}", key.length,
-                     whole ? "whole numbers" : "numbers", key.lowest, key.highest);
+    return whole ? say("a whole number between {} and {}", key.lowest, key.highest)
+                 : say("a number between {} and {}", key.lowest, key.highest);
+  return whole
+             ? say("an array of {} whole numbers between {} and {}", key.length, key.lowest,
+                   key.highest)
+             : say("an array of {} numbers between {} and {}", key.length, key.lowest, key.highest);
 }
 
 } // namespace gg

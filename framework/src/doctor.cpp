@@ -12,14 +12,15 @@
 #include <string_view>
 
 #include "print_once.hpp"
+#include "words/words.hpp"
 #include <gg/debug.hpp>
 
 namespace gg::detail {
 
 namespace {
 
-void say(const std::string& text) {
-  printOnce("frame doctor: " + text);
+void tell(const std::string& text) {
+  printOnce(say("frame doctor: {}", text));
 }
 
 bool isOn() {
@@ -51,11 +52,12 @@ std::atomic<int> windowClears = 0; // before the first frame
 
 void find(const std::string& text) {
   watch.foundSomething = true;
-  say(text);
+  tell(text);
 }
 
 std::string nameOf(GLuint framebuffer) {
-  return framebuffer == 0 ? "the window" : "framebuffer object " + std::to_string(framebuffer);
+  return framebuffer == 0 ? std::string(words("the window"))
+                          : say("framebuffer object {}", framebuffer);
 }
 
 GLuint boundForDrawing() {
@@ -71,8 +73,9 @@ void onClear(GLbitfield what) {
   GLboolean written = GL_TRUE;
   glad_glGetBooleanv(GL_DEPTH_WRITEMASK, &written);
   if (written == GL_FALSE)
-    find("the depth of " + nameOf(framebuffer) +
-         " is not cleared: glDepthMask(GL_FALSE) is still set, and holds for clearing, too" +
+    find(say("the depth of {} is not cleared: glDepthMask(GL_FALSE) is still set, and holds for "
+             "clearing, too",
+             nameOf(framebuffer)) +
          lastPlace());
   else
     target.depthCleared = true;
@@ -86,8 +89,9 @@ void onDraw() {
     watch.drawnInto.push_back(framebuffer);
     const std::string fault = incompleteness();
     if (!fault.empty())
-      find("framebuffer object " + std::to_string(framebuffer) +
-           " is not complete, so nothing is drawn into it: " + fault + lastPlace());
+      find(say("framebuffer object {} is not complete, so nothing is drawn into it: {}",
+               framebuffer, fault) +
+           lastPlace());
     target.size = framebufferSize(watch.textures);
   }
   std::array<GLint, 4> viewport{};
@@ -97,13 +101,13 @@ void onDraw() {
   if (glad_glIsEnabled(GL_DEPTH_TEST) == GL_TRUE && hasDepth()) {
     const GLint comparison = ask(GL_DEPTH_FUNC);
     if (!target.depthCleared && (comparison == GL_LESS || comparison == GL_LEQUAL))
-      find("the depth test is on, but the depth of " + nameOf(framebuffer) +
-           " was not cleared in this frame: what was there hides what is drawn. "
-           "glClear(GL_DEPTH_BUFFER_BIT)" +
+      find(say("the depth test is on, but the depth of {} was not cleared in this frame: what was "
+               "there hides what is drawn. glClear(GL_DEPTH_BUFFER_BIT)",
+               nameOf(framebuffer)) +
            lastPlace());
     if (!target.colorCleared && framebuffer == 0)
-      find("the colours of the window are not cleared before objects are drawn: the frame before "
-           "shows through. glClear(GL_COLOR_BUFFER_BIT)" +
+      find(say("the colours of the window are not cleared before objects are drawn: the frame "
+               "before shows through. glClear(GL_COLOR_BUFFER_BIT)") +
            lastPlace());
   }
   if (watch.programs.insert(GLuint(ask(GL_CURRENT_PROGRAM))).second) {
@@ -122,8 +126,8 @@ bool draws(std::string_view function) {
 // Before a call: what it will draw is judged by the state that it finds.
 void before(const char* name, GLADapiproc function, int, ...) {
   if (function == nullptr)
-    say(std::string(name) + " is not in this machine's OpenGL, and calling it ends the program" +
-        lastPlace());
+    tell(say("{} is not in this machine's OpenGL, and calling it ends the program", name) +
+         lastPlace());
   if (draws(name)) onDraw();
 }
 
@@ -156,7 +160,7 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
   // Where the driver tells of errors itself they stay for the program to ask.
   if (!hasDebugSink() && function != "glGetError")
     if (const GLenum error = glad_glGetError(); error != GL_NO_ERROR)
-      find(std::string(errorName(error)) + " in " + name + lastPlace());
+      find(say("{} in {}", errorName(error), name) + lastPlace());
 }
 
 bool isOneColor(const Image& picture) {
@@ -172,9 +176,10 @@ void checkViewports(const glm::ivec2& window) {
     if (target.viewports.size() != 1 || size.x == 0) continue; // several: it's meant so
     const std::array<GLint, 4>& viewport = *target.viewports.begin();
     if (viewport == std::array<GLint, 4>{0, 0, size.x, size.y}) continue;
-    find("the viewport is " + std::to_string(viewport[2]) + " x " + std::to_string(viewport[3]) +
-         " pixels, but " + nameOf(framebuffer) + " is " + std::to_string(size.x) + " x " +
-         std::to_string(size.y) + ". Call glViewport after binding what is drawn into");
+    find(
+        say("the viewport is {} x {} pixels, but {} is {} x {}. Call glViewport after binding what "
+            "is drawn into",
+            viewport[2], viewport[3], nameOf(framebuffer), size.x, size.y));
   }
 }
 
@@ -192,26 +197,26 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
   if (!watch.on) return {};
   gladUninstallGLDebug();
   if (const GLuint bound = boundForDrawing(); bound != 0)
-    find("framebuffer object " + std::to_string(bound) +
-         " is still bound at the end of the frame; the window needs "
-         "glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last" +
-         watch.boundAt[bound]);
+    find(say("framebuffer object {} is still bound at the end of the frame; the window needs "
+             "glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last{}",
+             bound, watch.boundAt[bound]));
   checkViewports(window);
   if (glad_glIsEnabled(GL_CULL_FACE) == GL_TRUE && ask(GL_CULL_FACE_MODE) != GL_BACK)
-    find("culling is left at " +
-         std::string(ask(GL_CULL_FACE_MODE) == GL_FRONT ? "GL_FRONT" : "GL_FRONT_AND_BACK") +
-         ": what faces the eye is not drawn in the next frame. glCullFace(GL_BACK)" +
+    find(say("culling is left at {}: what faces the eye is not drawn in the next frame. "
+             "glCullFace(GL_BACK)",
+             ask(GL_CULL_FACE_MODE) == GL_FRONT ? "GL_FRONT" : "GL_FRONT_AND_BACK") +
          watch.calledAt["glCullFace"]);
   if (watch.targets[0].draws == 0) {
     find(watch.drawnInto.empty()
-             ? "nothing is drawn to the window: there is no draw call before the end of the frame"
-             : "nothing is drawn to the window: all that this frame draws goes to framebuffer "
-               "objects");
+             ? say("nothing is drawn to the window: there is no draw call before the end of the "
+                   "frame")
+             : say("nothing is drawn to the window: all that this frame draws goes to framebuffer "
+                   "objects"));
   } else if (!watch.foundSomething && isOneColor(windowPicture(window))) {
-    find("all pixels of the window have one colour, though something was drawn there: it lies out "
-         "of view (gl_Position is projection * view * model * position), is culled or hidden, or "
-         "has the background's colour");
-    for (const std::string& text : watch.perhaps) say("perhaps: " + text);
+    find(say("all pixels of the window have one colour, though something was drawn there: it lies "
+             "out of view (gl_Position is projection * view * model * position), is culled or "
+             "hidden, or has the background's colour"));
+    for (const std::string& text : watch.perhaps) tell(say("perhaps: {}", text));
   }
   std::vector<GLuint> drawnInto = std::move(watch.drawnInto);
   TextureTargets textures = std::move(watch.textures);
@@ -248,8 +253,9 @@ void FirstFrameWatch::wait() {
   for (int second = 1; second <= 10; ++second) {
     if (changed_.wait_for(lock, std::chrono::seconds(1), [this] { return over_; })) return;
     if (second < 10 && (second < 3 || windowClears < kLoops)) continue;
-    return say("no frame was shown within " + std::to_string(second) +
-               " seconds: does the loop call window.swapBuffers()?");
+    return tell(say("no frame was shown within {} seconds: does the loop call "
+                    "window.swapBuffers()?",
+                    second));
   }
 }
 

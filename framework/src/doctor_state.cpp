@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "words/words.hpp"
+
 namespace gg::detail {
 
 GLint ask(GLenum name) {
@@ -10,20 +12,20 @@ GLint ask(GLenum name) {
   return value;
 }
 
-const char* errorName(GLenum error) {
+std::string errorName(GLenum error) {
   switch (error) {
   case GL_INVALID_ENUM:
-    return "GL_INVALID_ENUM (a constant that the function doesn't know)";
+    return say("GL_INVALID_ENUM (a constant that the function doesn't know)");
   case GL_INVALID_VALUE:
-    return "GL_INVALID_VALUE (a number out of range)";
+    return say("GL_INVALID_VALUE (a number out of range)");
   case GL_INVALID_OPERATION:
-    return "GL_INVALID_OPERATION (not allowed in the present state)";
+    return say("GL_INVALID_OPERATION (not allowed in the present state)");
   case GL_INVALID_FRAMEBUFFER_OPERATION:
-    return "GL_INVALID_FRAMEBUFFER_OPERATION (the framebuffer object is not complete)";
+    return say("GL_INVALID_FRAMEBUFFER_OPERATION (the framebuffer object is not complete)");
   case GL_OUT_OF_MEMORY:
     return "GL_OUT_OF_MEMORY";
   default:
-    return "an unknown error";
+    return say("an unknown error");
   }
 }
 
@@ -32,18 +34,18 @@ std::string incompleteness() {
   case GL_FRAMEBUFFER_COMPLETE:
     return "";
   case GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT:
-    return "an attachment has no storage (glTexImage2D, glRenderbufferStorage), or a format that "
-           "can't be drawn into";
+    return say("an attachment has no storage (glTexImage2D, glRenderbufferStorage), or a format "
+               "that can't be drawn into");
   case GL_FRAMEBUFFER_INCOMPLETE_MISSING_ATTACHMENT:
-    return "nothing is attached to it";
+    return say("nothing is attached to it");
   case GL_FRAMEBUFFER_INCOMPLETE_DRAW_BUFFER:
   case GL_FRAMEBUFFER_INCOMPLETE_READ_BUFFER:
-    return "glDrawBuffer(s) or glReadBuffer names an attachment that isn't there; without any "
-           "colour both must be GL_NONE";
+    return say("glDrawBuffer(s) or glReadBuffer names an attachment that isn't there; without any "
+               "colour both must be GL_NONE");
   case GL_FRAMEBUFFER_INCOMPLETE_MULTISAMPLE:
-    return "its attachments have different numbers of samples";
+    return say("its attachments have different numbers of samples");
   default:
-    return "this driver can't draw into such a combination of formats";
+    return say("this driver can't draw into such a combination of formats");
   }
 }
 
@@ -130,14 +132,14 @@ std::string textureFault(GLenum samplerType) {
   }
   if (wantsMipmaps(minFilter) && std::max(size.x, size.y) > 1 &&
       askTexture(GL_TEXTURE_MAX_LEVEL) > base && textureSize(texture, base + 1).x == 0)
-    return "is incomplete: its filter wants mipmaps, and it has none. Set GL_TEXTURE_MIN_FILTER to "
-           "GL_NEAREST or GL_LINEAR";
+    return say("is incomplete: its filter wants mipmaps, and it has none. Set "
+               "GL_TEXTURE_MIN_FILTER to GL_NEAREST or GL_LINEAR");
   const bool integers =
       samplerType == GL_INT_SAMPLER_2D || samplerType == GL_UNSIGNED_INT_SAMPLER_2D;
   if (integers && (magFilter != GL_NEAREST ||
                    (minFilter != GL_NEAREST && minFilter != GL_NEAREST_MIPMAP_NEAREST)))
-    return "is incomplete: it holds whole numbers, which can't be filtered. Set both filters to "
-           "GL_NEAREST";
+    return say("is incomplete: it holds whole numbers, which can't be filtered. Set both filters "
+               "to GL_NEAREST");
   return "";
 }
 
@@ -158,15 +160,19 @@ SamplerFaults samplerFaults() {
     if (!isSampler2D(type)) continue;
     glad_glGetUniformiv(program, glad_glGetUniformLocation(program, name), &unit);
     glad_glActiveTexture(GL_TEXTURE0 + GLenum(unit));
-    const std::string what =
-        std::string("sampler ") + name + " reads texture unit " + std::to_string(unit) + ", where ";
     const auto texture = static_cast<GLuint>(ask(GL_TEXTURE_BINDING_2D));
     if (texture == 0) {
-      faults.perhaps.push_back(what + "no texture is bound: it reads black");
+      faults.perhaps.push_back(
+          say("sampler {} reads texture unit {}, where no texture is bound: it reads black", name,
+              unit));
     } else if (textureSize(texture, askTexture(GL_TEXTURE_BASE_LEVEL)).x == 0) {
-      faults.perhaps.push_back(what + "the texture has no storage (glTexImage2D): it reads black");
+      faults.perhaps.push_back(say("sampler {} reads texture unit {}, where the texture has no "
+                                   "storage (glTexImage2D): it reads black",
+                                   name, unit));
     } else if (const std::string fault = textureFault(type); !fault.empty()) {
-      faults.certain.push_back(what + "the texture reads as black: it " + fault);
+      faults.certain.push_back(
+          say("sampler {} reads texture unit {}, where the texture reads as black: it {}", name,
+              unit, fault));
     }
   }
   glad_glActiveTexture(GLenum(unitBefore));

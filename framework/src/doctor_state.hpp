@@ -19,7 +19,7 @@ GLint ask(GLenum name);
 using TextureTargets = std::map<GLuint, GLenum>;
 
 /// "GL_INVALID_ENUM (a constant that the function doesn't know)"
-const char* errorName(GLenum error);
+std::string errorName(GLenum error);
 
 /// Why the framebuffer object that is bound for drawing is not complete; empty if it is.
 std::string incompleteness();

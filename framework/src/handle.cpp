@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "words/words.hpp"
+
 namespace gg::detail {
 
 namespace {
@@ -9,8 +11,7 @@ namespace {
 // Before there is a window, GL's functions are not loaded; calling one would crash.
 void requireWindow(bool loaded, const char* what) {
   if (!loaded)
-    throw std::logic_error(std::string(what) +
-                           " was made before the window; make the window first");
+    throw std::logic_error(say("{} was made before the window; make the window first", what));
 }
 
 template <class Generate> GLuint generate(Generate function, const char* what) {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "words/words.hpp"
 #include <gg/error.hpp>
 #include <gg/text_file.hpp>
 #include <png.h>
@@ -91,11 +92,11 @@ Image readPng(const std::string& file) {
   png_image png{};
   png.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&png, bytes.data(), bytes.size()) == 0)
-    throw FileError(file + ": is not a PNG image: " + png.message);
+    throw FileError(say("{}: is not a PNG image: {}", file, png.message));
   constexpr png_uint_32 kLargest = 16384;
   if (png.width > kLargest || png.height > kLargest) {
     png_image_free(&png);
-    throw FileError(file + ": is larger than 16384 pixels");
+    throw FileError(say("{}: is larger than 16384 pixels", file));
   }
   png.format = PNG_FORMAT_RGBA;
   Image image{static_cast<int>(png.width), static_cast<int>(png.height), {}};
@@ -103,7 +104,7 @@ Image readPng(const std::string& file) {
   // A negative stride: the file's first row is the picture's top, which is OpenGL's last.
   const auto stride = -static_cast<png_int_32>(4 * png.width);
   if (png_image_finish_read(&png, nullptr, image.rgba.data(), stride, nullptr) == 0)
-    throw FileError(file + ": is damaged: " + png.message);
+    throw FileError(say("{}: is damaged: {}", file, png.message));
   return image;
 }
 
@@ -121,10 +122,10 @@ void writePng(const std::string& file, const Image& image) {
   png_image_write_to_memory(&png, nullptr, &size, 0, rgb.data(), stride, nullptr);
   std::string bytes(size, '\0');
   if (png_image_write_to_memory(&png, bytes.data(), &size, 0, rgb.data(), stride, nullptr) == 0)
-    throw FileError(file + ": can't be written: " + png.message);
+    throw FileError(say("{}: can't be written: {}", file, png.message));
   std::ofstream stream(fromUtf8(file), std::ios::binary);
   stream.write(bytes.data(), static_cast<std::streamsize>(size));
-  if (!stream.flush()) throw FileError(file + ": can't be written");
+  if (!stream.flush()) throw FileError(say("{}: can't be written", file));
 }
 
 } // namespace gg

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 
+#include "words/words.hpp"
 #include <fmt/format.h>
 #include <gg/error.hpp>
 #include <nlohmann/json.hpp>
@@ -91,7 +92,7 @@ public:
   bool binary(json::binary_t&) override { return false; }
 
   bool start_object(std::size_t) override {
-    if (depth_ > 0) add({.kind = JsonValue::Kind::object, .shown = "an object"});
+    if (depth_ > 0) add({.kind = JsonValue::Kind::object, .shown = say("an object")});
     enter();
     return true;
   }
@@ -103,12 +104,12 @@ public:
     if (arrays_ > 0) return true;
     path_.back() = key;
     if (key.empty() || key.find('.') != key.npos)
-      fail(fmt::format("{}: a key must be a name without a dot", inQuotes(key)));
-    if (!seen_.insert(path()).second) fail(path() + ": stands here twice");
+      fail(say("{}: a key must be a name without a dot", inQuotes(key)));
+    if (!seen_.insert(path()).second) fail(say("{}: stands here twice", path()));
     return true;
   }
   bool start_array(std::size_t) override {
-    if (depth_ == 0) fail("must be an object: { ... }");
+    if (depth_ == 0) fail(std::string(words("must be an object: { ... }")));
     if (arrays_ > 0) {
       add({.kind = JsonValue::Kind::mixedArray, .shown = "[...]"});
     } else {
@@ -135,8 +136,8 @@ public:
     }
     for (char& c : what)
       if (static_cast<unsigned char>(c) >= 0x80) c = '?';
-    if (what.find("UTF-8") != what.npos) what += "; save the file as UTF-8";
-    fail("is not valid JSON: " + what);
+    if (what.find("UTF-8") != what.npos) what += words("; save the file as UTF-8");
+    fail(say("is not valid JSON: {}", what));
   }
 
 private:
@@ -145,7 +146,7 @@ private:
   }
 
   void enter() {
-    if (++depth_ > kDeepest) fail("is nested too deeply");
+    if (++depth_ > kDeepest) fail(say("is nested too deeply"));
     if (arrays_ == 0) path_.emplace_back();
   }
   void leave() {
@@ -164,7 +165,7 @@ private:
   }
 
   bool add(JsonValue value) {
-    if (depth_ == 0) fail("must be an object: { ... }");
+    if (depth_ == 0) fail(std::string(words("must be an object: { ... }")));
     if (arrays_ == 0) {
       entries.push_back({path(), lines_.lineOfValue, std::move(value)});
       return true;
@@ -196,7 +197,7 @@ std::string inQuotes(std::string_view text) {
 
 std::vector<JsonEntry> readJson(std::string_view text, const std::string& name) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
-    throw SceneError(name + ":1: is UTF-16; save the file as UTF-8");
+    throw SceneError(say("{}:1: is UTF-16; save the file as UTF-8", name));
   LineCounter lines;
   Reader reader(name, lines);
   json::sax_parse(CountingIterator(text.data(), &lines),

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "reload.hpp"
+#include "words/words.hpp"
 #include <fmt/format.h>
 #include <gg/debug.hpp>
 #include <gg/error.hpp>
@@ -44,7 +45,7 @@ Overlay& Live::overlay() {
 }
 
 void Live::frameEnds(const glm::ivec2& size) {
-  reportErrors("this frame");
+  reportErrors(std::string(words("this frame")).c_str());
   firstFrame_.shown();
   const std::vector<GLuint> drawnInto = detail::frameEnds(size);
   if (tiles_) overlay().tiles(size, attachmentsOf(drawnInto, knownTextures()), cameraRange);
@@ -73,7 +74,7 @@ void Live::save(const glm::ivec2& size) {
     file = fmt::format("{}-{}.png", title_, i);
   try {
     writePng(file, windowPicture(size));
-    std::fprintf(stderr, "saved %s\n", file.c_str());
+    std::fprintf(stderr, "%s\n", say("saved {}", file).c_str());
   } catch (const FileError& error) {
     std::fprintf(stderr, "%s\n", error.what());
   }

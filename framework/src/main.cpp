@@ -6,6 +6,7 @@
 #include "arguments.hpp"
 #include "live.hpp"
 #include "parts.hpp"
+#include "words/words.hpp"
 #include <gg/app.hpp>
 #include <gg/error.hpp>
 #include <gg/exit_code.hpp>
@@ -37,7 +38,7 @@ void run(const gg::detail::Arguments& arguments) {
   if (arguments.size) scene.size = *arguments.size;
   if (arguments.mesh) {
     if (!scene.has("mesh"))
-      throw gg::detail::UsageError("--mesh: this assignment has no mesh to choose");
+      throw gg::detail::UsageError(gg::say("--mesh: this assignment has no mesh to choose"));
     scene.setText("mesh", meshFromHere(*arguments.mesh));
   }
   gg::detail::cameraRange = {scene.camera.near, scene.camera.far};
@@ -76,6 +77,6 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return report(name, error.what(), ExitCode::exception);
   } catch (...) {
-    return report(name, "an exception of an unknown type", ExitCode::exception);
+    return report(name, gg::say("an exception of an unknown type").c_str(), ExitCode::exception);
   }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "words/words.hpp"
 #include <gg/error.hpp>
 #include <gg/text_file.hpp>
 #include <glm/geometric.hpp>
@@ -67,8 +68,8 @@ MeshData loadMeshData(const std::string& name, const std::string& folder) {
   if (name == "plane") return plane(1, 1);
   const std::filesystem::path file = fromUtf8(folder) / fromUtf8(name);
   if (!std::filesystem::exists(file))
-    throw FileError("mesh \"" + name + "\": not torus_knot, box or plane, and no OBJ file " +
-                    toUtf8(file));
+    throw FileError(
+        say("mesh \"{}\": not torus_knot, box or plane, and no OBJ file {}", name, toUtf8(file)));
   MeshData mesh = readObj(toUtf8(file));
   standOnFloor(mesh);
   return mesh;

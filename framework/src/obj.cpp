@@ -9,6 +9,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "words/words.hpp"
 #include <fmt/format.h>
 #include <gg/error.hpp>
 #include <gg/text_file.hpp>
@@ -31,24 +32,24 @@ struct Counts {
 void checkNumbers(const std::string& name, long line, std::istringstream& words, int needed) {
   std::string word;
   for (int i = 0; i < needed; ++i) {
-    if (!(words >> word)) fail(name, line, fmt::format("needs {} numbers", needed));
+    if (!(words >> word)) fail(name, line, say("needs {} numbers", needed));
     std::istringstream stream(word);
     stream.imbue(std::locale::classic());
     double value = 0;
     if (!(stream >> value) || stream.peek() != EOF || !std::isfinite(static_cast<float>(value)))
-      fail(name, line, fmt::format("\"{}\" is not a number that a mesh can use", word));
+      fail(name, line, say("\"{}\" is not a number that a mesh can use", word));
   }
 }
 
 // `what` refers to one of `count` things: from 1 on, or -1 for the latest.
 void checkIndex(const std::string& name, long line, std::string_view digits, long count,
-                const char* what) {
+                std::string_view what) {
   long index = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
   if (error != std::errc() || end != digits.data() + digits.size())
-    fail(name, line, fmt::format("\"{}\" is not a corner of a face", digits));
+    fail(name, line, say("\"{}\" is not a corner of a face", digits));
   if (index == 0 || index > count || index < -count)
-    fail(name, line, fmt::format("there is no {} {} (so far {})", what, index, count));
+    fail(name, line, say("there is no {} {} (so far {})", what, index, count));
 }
 
 void checkFace(const std::string& name, long line, std::istringstream& words,
@@ -58,12 +59,13 @@ void checkFace(const std::string& name, long line, std::istringstream& words,
     std::string_view rest = corner;
     const struct {
       long count;
-      const char* what;
-    } kinds[] = {
-        {counts.position, "vertex"}, {counts.uv, "texture coordinate"}, {counts.normal, "normal"}};
+      std::string_view what;
+    } kinds[] = {{counts.position, gg::words("vertex")},
+                 {counts.uv, gg::words("texture coordinate")},
+                 {counts.normal, gg::words("normal")}};
     int kind = 0;
     for (bool more = true; more; ++kind) {
-      if (kind == 3) fail(name, line, fmt::format("\"{}\" is not a corner of a face", corner));
+      if (kind == 3) fail(name, line, say("\"{}\" is not a corner of a face", corner));
       const std::size_t slash = rest.find('/');
       more = slash != rest.npos;
       const std::string_view digits = rest.substr(0, slash);
@@ -73,7 +75,7 @@ void checkFace(const std::string& name, long line, std::istringstream& words,
       if (more) rest.remove_prefix(slash + 1);
     }
   }
-  if (corners < 3) fail(name, line, "a face needs at least three corners");
+  if (corners < 3) fail(name, line, say("a face needs at least three corners"));
 }
 
 void checkLines(const std::string& text, const std::string& name) {
@@ -209,10 +211,10 @@ MeshData readObjText(const std::string& text, const std::string& name) {
     // Where the line check and the reader see an odd line differently, the reader's word counts.
     for (const tinyobj::index_t& corner : corners)
       if (!builder.isComplete(corner))
-        throw FileError(name + ": a face has a corner that is not in the file");
+        throw FileError(say("{}: a face has a corner that is not in the file", name));
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3) builder.addTriangle(&corners[i]);
   }
-  if (builder.empty()) throw FileError(name + ": has no face with an area");
+  if (builder.empty()) throw FileError(say("{}: has no face with an area", name));
   return builder.finish();
 }
 

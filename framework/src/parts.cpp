@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "words/words.hpp"
 #include <fmt/format.h>
 #include <gg/error.hpp>
 #include <gg/text_file.hpp>
@@ -37,7 +38,7 @@ std::string sceneOfPart(const std::filesystem::path& folder, const std::string& 
     found = true;
     scene.merge_patch(one.value("scene", json::object()));
   }
-  if (!found) throw std::invalid_argument(fmt::format("--part {}: there are {}", part, known));
+  if (!found) throw std::invalid_argument(say("--part {}: there are {}", part, known));
   return scene.dump(2);
 }
 

@@ -4,7 +4,7 @@
 
 #include "program_build.hpp"
 #include "reload.hpp"
-#include <fmt/format.h>
+#include "words/words.hpp"
 #include <gg/platform.hpp>
 #include <gg/text_file.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -44,7 +44,7 @@ bool fits(GLenum declared, GLenum given) {
   return given == GL_INT && isSampler(declared);
 }
 
-const char* typeName(GLenum type) {
+std::string typeName(GLenum type) {
   switch (type) {
   case GL_BOOL:
     return "bool";
@@ -63,7 +63,7 @@ const char* typeName(GLenum type) {
   case GL_FLOAT_MAT4:
     return "mat4";
   default:
-    return isSampler(type) ? "sampler" : "of another type";
+    return isSampler(type) ? say("sampler") : say("of another type");
   }
 }
 
@@ -95,20 +95,21 @@ GLint Program::find(std::string_view name, GLenum given) const {
     // An array's elements beyond the first are not listed.
     const std::string_view base = name.substr(0, name.find_first_of("[."));
     if (base != name) return glGetUniformLocation(state_->name, std::string(name).c_str());
-    if (!containsWord(state_->source, name)) complain(name, "these shaders have no such uniform");
+    if (!containsWord(state_->source, name))
+      complain(name, say("these shaders have no such uniform"));
     return -1;
   }
   if (!fits(found->second.type, given))
-    complain(name, fmt::format("is {} in the shader, but was set to a value of type {}",
-                               typeName(found->second.type), typeName(given)));
+    complain(name, say("is {} in the shader, but was set to a value of type {}",
+                       typeName(found->second.type), typeName(given)));
   return found->second.location;
 }
 
 void Program::complain(std::string_view name, const std::string& text) const {
   if (state_->complained.contains(name)) return;
   state_->complained.emplace(name);
-  std::fprintf(stderr, "%s: warning: uniform \"%s\": %s\n", state_->label().c_str(),
-               std::string(name).c_str(), text.c_str());
+  std::fprintf(stderr, "%s\n",
+               say("{}: warning: uniform \"{}\": {}", state_->label(), name, text).c_str());
 }
 
 void Program::set(std::string_view name, bool value) const {

@@ -5,6 +5,7 @@
 #include "shader_log.hpp"
 #include "shader_source.hpp"
 #include "uniform_values.hpp"
+#include "words/words.hpp"
 #include <fmt/format.h>
 #include <gg/error.hpp>
 #include <gg/light.hpp>
@@ -21,7 +22,8 @@ GLenum stageOf(const std::string& file) {
   if (ending == ".tese") return GL_TESS_EVALUATION_SHADER;
   if (ending == ".geom") return GL_GEOMETRY_SHADER;
   if (ending == ".frag") return GL_FRAGMENT_SHADER;
-  throw ShaderError(file + ": error: the name must end in .vert, .tesc, .tese, .geom or .frag");
+  throw ShaderError(
+      say("{}: error: the name must end in .vert, .tesc, .tese, .geom or .frag", file));
 }
 
 // A shader object, which lives only until the program is linked.
@@ -64,7 +66,7 @@ std::string addStage(GLuint program, const std::string& file, const ShaderSource
     return {};
   }
   const std::string errors = translateLog(log, source);
-  return errors.empty() ? file + ": error: does not compile, and the driver doesn't say why\n"
+  return errors.empty() ? say("{}: error: does not compile, and the driver doesn't say why\n", file)
                         : errors;
 }
 
@@ -76,7 +78,7 @@ void link(GLuint program, const std::string& label) {
   std::string log = infoLog(program, glGetProgramiv, glGetProgramInfoLog);
   while (!log.empty() && (log.back() == '\n' || log.back() == '\0')) log.pop_back();
   if (log.starts_with("error: ")) log.erase(0, 7);
-  throw ShaderError(fmt::format("{}: error: does not link: {}", label, log));
+  throw ShaderError(say("{}: error: does not link: {}", label, log));
 }
 
 std::vector<GLuint> attachedShaders(GLuint program) {

@@ -1,9 +1,13 @@
 #include "reload.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <map>
+#include <sstream>
+#include <string_view>
 
+#include "words/words.hpp"
 #include <gg/error.hpp>
 
 namespace gg::detail {
@@ -27,6 +31,20 @@ bool isChanged(ProgramState& state) {
     changed = true;
   }
   return changed;
+}
+
+// Letters in the window are ASCII: it names only the place of what is said in others.
+std::string forWindow(const std::string& error) {
+  constexpr std::string_view kError = ": error: ";
+  std::istringstream lines(error);
+  std::string all;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find(kError);
+    if (at != line.npos && std::ranges::any_of(line, [](char c) { return (c & 0x80) != 0; }))
+      line = line.substr(0, at) + std::string(kError) + "see the terminal";
+    all += (all.empty() ? "" : "\n") + line;
+  }
+  return all;
 }
 
 bool isTime() {
@@ -54,9 +72,9 @@ Reloaded reloadPrograms() {
         rebuild(*state);
         one.error.clear();
         reloaded.any = true;
-        std::fprintf(stderr, "%s: reloaded\n", state->label().c_str());
+        std::fprintf(stderr, "%s\n", say("{}: reloaded", state->label()).c_str());
       } catch (const ShaderError& error) {
-        one.error = error.what();
+        one.error = forWindow(error.what());
         std::fprintf(stderr, "%s\n", error.what());
       }
     }

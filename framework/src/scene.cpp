@@ -1,6 +1,7 @@
 #include <gg/scene.hpp>
 
 #include "json_positions.hpp"
+#include "words/words.hpp"
 #include <fmt/format.h>
 #include <gg/error.hpp>
 #include <gg/text_file.hpp>
@@ -41,11 +42,10 @@ const Declarations::Preset& presetNamed(const Declarations& declarations,
   const auto& presets = declarations.presets();
   std::string names;
   for (const auto& [name, unused] : presets) names += (names.empty() ? "" : ", ") + name;
-  if (names.empty()) positions.fail(entry.path, "this assignment has no presets");
+  if (names.empty()) positions.fail(entry.path, say("this assignment has no presets"));
   const auto found = presets.find(entry.value.text);
   if (entry.value.kind != detail::JsonValue::Kind::text || found == presets.end())
-    positions.fail(entry.path,
-                   fmt::format("must be a preset ({}), but is {}", names, entry.value.shown));
+    positions.fail(entry.path, say("must be a preset ({}), but is {}", names, entry.value.shown));
   return found->second;
 }
 
@@ -66,19 +66,18 @@ Values readValues(std::string_view text, const std::string& name, const Declarat
         const std::string nearest = declarations.nearest(entry.path);
         positions.fail(entry.path,
                        nearest.empty()
-                           ? "is not a key of this scene"
-                           : fmt::format("is not a key of this scene; did you mean {}?", nearest));
+                           ? say("is not a key of this scene")
+                           : say("is not a key of this scene; did you mean {}?", nearest));
       }
       if (entry.value.kind != detail::JsonValue::Kind::object)
         positions.fail(entry.path,
-                       fmt::format("must be an object {{ ... }}, but is {}", entry.value.shown));
+                       say("must be an object {{ ... }}, but is {}", entry.value.shown));
       continue;
     }
     const auto value = detail::convert(known->second, entry.value);
     if (!value)
-      positions.fail(entry.path,
-                     fmt::format("must be {}, but is {}", Declarations::describe(known->second),
-                                 entry.value.shown));
+      positions.fail(entry.path, say("must be {}, but is {}", Declarations::describe(known->second),
+                                     entry.value.shown));
     values.emplace(entry.path, *value);
   }
   for (const auto& [path, key] : declarations.keys()) {
@@ -88,7 +87,7 @@ Values readValues(std::string_view text, const std::string& name, const Declarat
       continue;
     }
     if (!key.hasDefault)
-      positions.fail(path, fmt::format("is missing; it must be {}", Declarations::describe(key)));
+      positions.fail(path, say("is missing; it must be {}", Declarations::describe(key)));
     values.emplace(path, key.defaultValue);
   }
   return values;
@@ -116,9 +115,10 @@ Camera readCamera(const Values& values, const Positions& positions) {
   camera.near = single(values, "camera.near");
   camera.far = single(values, "camera.far");
   if (camera.position == camera.target)
-    positions.fail("camera.target", "is the same point as camera.position");
-  if (glm::length(camera.up) < 1e-3f) positions.fail("camera.up", "must not be zero");
-  if (!(camera.near < camera.far)) positions.fail("camera.far", "must be more than camera.near");
+    positions.fail("camera.target", say("is the same point as camera.position"));
+  if (glm::length(camera.up) < 1e-3f) positions.fail("camera.up", say("must not be zero"));
+  if (!(camera.near < camera.far))
+    positions.fail("camera.far", say("must be more than camera.near"));
   return camera;
 }
 
@@ -161,38 +161,39 @@ Scene Scene::fromFile(const std::string& file, const Declarations& declarations)
 const Material& Scene::material(std::string_view name) const {
   const auto found = materials_.find(name);
   if (found == materials_.end())
-    throw std::invalid_argument(fmt::format("the assignment has no material \"{}\"", name));
+    throw std::invalid_argument(say("the assignment has no material \"{}\"", name));
   return found->second;
 }
 
 const SceneValue& Scene::value(std::string_view key) const {
   const auto found = values_.find(key);
   if (found == values_.end())
-    throw std::invalid_argument(fmt::format("the assignment declares no scene key \"{}\"", key));
+    throw std::invalid_argument(say("the assignment declares no scene key \"{}\"", key));
   return found->second;
 }
 
 namespace {
 
-template <class T> const T& as(const SceneValue& value, std::string_view key, const char* type) {
+template <class T>
+const T& as(const SceneValue& value, std::string_view key, std::string_view type) {
   if (const T* typed = std::get_if<T>(&value)) return *typed;
-  throw std::invalid_argument(fmt::format("the scene key \"{}\" is not {}", key, type));
+  throw std::invalid_argument(say("the scene key \"{}\" is not {}", key, type));
 }
 
 } // namespace
 
 bool Scene::flag(std::string_view key) const {
-  return as<bool>(value(key), key, "a boolean: flag() can't read it");
+  return as<bool>(value(key), key, words("a boolean: flag() can't read it"));
 }
 
 int Scene::integer(std::string_view key) const {
-  return as<int>(value(key), key, "an integer: integer() can't read it");
+  return as<int>(value(key), key, words("an integer: integer() can't read it"));
 }
 
 double Scene::number(std::string_view key) const {
   const SceneValue& found = value(key);
   if (const int* whole = std::get_if<int>(&found)) return *whole;
-  return as<double>(found, key, "a single number: number() and real() can't read it");
+  return as<double>(found, key, words("a single number: number() and real() can't read it"));
 }
 
 float Scene::real(std::string_view key) const {
@@ -200,7 +201,7 @@ float Scene::real(std::string_view key) const {
 }
 
 const std::string& Scene::text(std::string_view key) const {
-  return as<std::string>(value(key), key, "a text: text() can't read it");
+  return as<std::string>(value(key), key, words("a text: text() can't read it"));
 }
 
 void Scene::setText(std::string_view key, const std::string& replacement) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "builtin_shaders.hpp"
+#include "words/words.hpp"
 #include <fmt/format.h>
 #include <gg/error.hpp>
 #include <gg/text_file.hpp>
@@ -82,11 +83,10 @@ public:
   ShaderSource assemble(const std::string& name) {
     const std::optional<std::string> text = find(name);
     if (!text) {
-      throw ShaderError(
-          fmt::format("{}: error: there is no such file in {}", name, toUtf8(folder_)));
+      throw ShaderError(say("{}: error: there is no such file in {}", name, toUtf8(folder_)));
     }
     add(name, *text);
-    if (!versionSeen_) fail(name, 1, "the first line must be \"#version 410 core\"");
+    if (!versionSeen_) fail(name, 1, say("the first line must be \"#version 410 core\""));
     return std::move(source_);
   }
 
@@ -115,7 +115,7 @@ private:
     const std::size_t index = source_.files.size();
     const std::vector<std::string> lines = splitLines(text);
     if (lines.size() >= ShaderSource::kLinesPerFile)
-      fail(name, ShaderSource::kLinesPerFile, "a shader file must be shorter than this");
+      fail(name, ShaderSource::kLinesPerFile, say("a shader file must be shorter than this"));
     source_.files.push_back({name, lines});
     open_.push_back(name);
     bool inComment = false;
@@ -137,10 +137,10 @@ private:
     const std::size_t length = words.size();
     const bool isQuoted = length > 2 && words.front() == '"' && words.back() == '"';
     const bool isAngled = length > 2 && words.front() == '<' && words.back() == '>';
-    if (!isQuoted && !isAngled) fail(from, line, "#include needs a name in quotes");
+    if (!isQuoted && !isAngled) fail(from, line, say("#include needs a name in quotes"));
     const std::string name(words.substr(1, length - 2));
     if (std::find(open_.begin(), open_.end(), name) != open_.end())
-      fail(from, line, fmt::format("\"{}\" includes itself", name));
+      fail(from, line, say("\"{}\" includes itself", name));
     for (const ShaderFile& file : source_.files)
       if (file.name == name) return;
     const std::optional<std::string> text = find(name);
@@ -149,9 +149,8 @@ private:
       for (const auto& [builtin, unused] : builtinShaders())
         builtins += (builtins.empty() ? "" : ", ") + builtin;
       fail(from, line,
-           fmt::format("there is no file \"{}\" beside the program, and the framework "
-                       "has only {}",
-                       name, builtins));
+           say("there is no file \"{}\" beside the program, and the framework has only {}", name,
+               builtins));
     }
     source_.text +=
         fmt::format("#line {}\n", source_.files.size() * ShaderSource::kLinesPerFile + 1);
@@ -163,10 +162,10 @@ private:
                     bool isStage) {
     if (trimmed(code).empty()) return;
     const auto version = directive(code, "version");
-    if (version && !isStage) fail(name, line, "an included file has no #version");
+    if (version && !isStage) fail(name, line, say("an included file has no #version"));
     if (versionSeen_) return;
     if (!version || !isSupportedVersion(*version))
-      fail(name, line, "the first line must be \"#version 410 core\"");
+      fail(name, line, say("the first line must be \"#version 410 core\""));
     versionSeen_ = true;
   }
 

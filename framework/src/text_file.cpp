@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "words/words.hpp"
 #include <gg/error.hpp>
 
 namespace gg {
@@ -21,15 +22,15 @@ std::filesystem::path fromUtf8(std::string_view text) {
 std::string readFile(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored))
-    throw FileError(toUtf8(file) + ": is a folder, not a file");
+    throw FileError(say("{}: is a folder, not a file", toUtf8(file)));
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   if (!stream) {
-    const char* reason = errno != 0 ? std::strerror(errno) : "cannot be opened";
-    throw FileError(toUtf8(file) + ": cannot be read: " + reason);
+    const std::string reason = errno != 0 ? std::strerror(errno) : say("cannot be opened");
+    throw FileError(say("{}: cannot be read: {}", toUtf8(file), reason));
   }
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.bad()) throw FileError(toUtf8(file) + ": cannot be read to its end");
+  if (stream.bad()) throw FileError(say("{}: cannot be read to its end", toUtf8(file)));
   return text;
 }
 

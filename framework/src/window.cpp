@@ -5,6 +5,7 @@
 
 #include "live.hpp"
 #include "print_once.hpp"
+#include "words/words.hpp"
 
 #include <gg/debug.hpp>
 #include <gg/error.hpp>
@@ -40,15 +41,15 @@ std::string foundDriver() {
   glfwDefaultWindowHints();
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   GLFWwindow* probe = glfwCreateWindow(16, 16, "", nullptr, nullptr);
-  if (probe == nullptr) return "This machine offers no OpenGL at all (" + lastError + ").";
+  if (probe == nullptr) return say("This machine offers no OpenGL at all ({}).", lastError);
   glfwMakeContextCurrent(probe);
   const auto text = [](GLenum name) -> std::string {
     const auto get = reinterpret_cast<PFNGLGETSTRINGPROC>(glfwGetProcAddress("glGetString"));
     const GLubyte* found = get != nullptr ? get(name) : nullptr;
     return found != nullptr ? reinterpret_cast<const char*>(found) : "unknown";
   };
-  std::string found = "Found: OpenGL " + text(GL_VERSION) + " on " + text(GL_RENDERER) + " (" +
-                      text(GL_VENDOR) + ").";
+  std::string found =
+      say("Found: OpenGL {} on {} ({}).", text(GL_VERSION), text(GL_RENDERER), text(GL_VENDOR));
   glfwDestroyWindow(probe);
   return found;
 }
@@ -63,10 +64,10 @@ GLFWwindow* open(const std::string& title, const glm::ivec2& size) {
   GLFWwindow* window = glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
   if (window != nullptr) return window;
   const std::string reason = lastError;
-  throw WindowError("no window with OpenGL 4.1 core could be opened: " + reason + "\n" +
-                    foundDriver() +
-                    "\nUpdate the graphics driver; on a remote or virtual machine turn on 3D "
-                    "acceleration or install Mesa.");
+  throw WindowError(say("no window with OpenGL 4.1 core could be opened: {}\n{}\nUpdate the "
+                        "graphics driver; on a remote or virtual machine turn on 3D acceleration "
+                        "or install Mesa.",
+                        reason, foundDriver()));
 }
 
 } // namespace
@@ -74,13 +75,14 @@ GLFWwindow* open(const std::string& title, const glm::ivec2& size) {
 Window::Window(const std::string& title, const glm::ivec2& size) {
   glfwSetErrorCallback(rememberError);
   if (glfwInit() == GLFW_FALSE)
-    throw WindowError("no window can be opened: " + lastError +
-                      "\nIs there a desktop? On a machine without one, run under xvfb-run.");
+    throw WindowError(say("no window can be opened: {}\nIs there a desktop? On a machine without "
+                          "one, run under xvfb-run.",
+                          lastError));
   try {
     window_ = open(title, size);
     glfwMakeContextCurrent(window_);
     if (gladLoadGL(glfwGetProcAddress) == 0)
-      throw WindowError("the functions of OpenGL could not be loaded: " + lastError);
+      throw WindowError(say("the functions of OpenGL could not be loaded: {}", lastError));
   } catch (...) {
     if (window_ != nullptr) glfwDestroyWindow(window_);
     if (windows == 0) glfwTerminate();

@@ -4,7 +4,6 @@
 #include <fstream>
 #include <iterator>
 #include <map>
-#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -42,8 +41,8 @@ Table& table() {
 } // namespace
 
 Language language() {
-  if (!chosen()) chosen() = fromEnvironment();
-  return *chosen();
+  static const Language usual = fromEnvironment();
+  return chosen().value_or(usual);
 }
 
 void setLanguage(Language language) {
@@ -52,6 +51,12 @@ void setLanguage(Language language) {
 
 std::string_view name(Language language) {
   return language == Language::japanese ? "ja" : "en";
+}
+
+std::optional<Language> parseLanguage(std::string_view word) {
+  for (const Language language : {Language::english, Language::japanese})
+    if (word == name(language)) return language;
+  return std::nullopt;
 }
 
 void addWords(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 /// its translation is found in the table, `ja.json` (one line a text).
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,8 @@ Language language();
 void setLanguage(Language language);
 /// "en" or "ja".
 std::string_view name(Language language);
+/// The other way; nothing for any other word.
+std::optional<Language> parseLanguage(std::string_view name);
 
 /// Adds a table of further texts, such as an assignment's own; does nothing in English, or if there
 /// is no such file. Throws std::runtime_error, naming the file, if it isn't an object of texts.
@@ -26,6 +29,11 @@ void addWords(const std::filesystem::path& table);
 
 /// The text in the chosen language; the English one where there is no other.
 std::string_view words(std::string_view english);
+
+/// Marks a text of a constant table, for which `words` is asked where it is read.
+constexpr std::string_view tag(std::string_view english) {
+  return english;
+}
 
 /// The same with values in its places, as fmt::format.
 template <class... Values>

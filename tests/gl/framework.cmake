@@ -9,7 +9,7 @@ ggrade_test(framework_gl gl
     ${CMAKE_CURRENT_LIST_DIR}/framework_program_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_reload_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_uniform_test.cpp
-  LIBRARIES gg_core)
+  LIBRARIES gg_core gg_words)
 add_dependencies(framework_gl ggrade_capture)
 target_include_directories(framework_gl PRIVATE ${CMAKE_CURRENT_LIST_DIR}/../unit)
 set_target_properties(framework_gl PROPERTIES BUILD_RPATH ${CMAKE_BINARY_DIR}/capture)

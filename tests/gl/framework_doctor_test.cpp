@@ -1,6 +1,7 @@
 // What the frame doctor says of frames that go wrong, and that it is silent otherwise.
 
 #include "framework_temporary_folder.hpp"
+#include "in_japanese.hpp"
 
 #include <gmock/gmock.h>
 
@@ -111,6 +112,13 @@ TEST_P(Doctor, NothingIsDrawn) {
   EXPECT_EQ(frame([](gg::Window&) { clear(); }),
             "frame doctor: nothing is drawn to the window: there is no draw call before the end of "
             "the frame\n");
+}
+
+TEST_P(Doctor, SpeaksJapanese) {
+  const InJapanese japanese;
+  EXPECT_EQ(frame([](gg::Window&) { clear(); }),
+            "フレームの診断：ウィンドウに何も描画されていません。フレームの終わりまでに描画命令が"
+            "一つもありません\n");
 }
 
 TEST_P(Doctor, AFramebufferObjectIsLeftBound) {

@@ -1,6 +1,7 @@
 // What a window does while one works on the program: tiles, stopped time, pictures, errors.
 
 #include "framework_window.hpp"
+#include "in_japanese.hpp"
 
 #include <gmock/gmock.h>
 
@@ -166,6 +167,29 @@ TEST_F(Live, AShadersErrorIsShownUntilItIsMended) {
   EXPECT_GT(letters(0, 0, kWidth, 40), 300);
   save("oColor = vec4(3);");
   EXPECT_EQ(letters(0, 0, kWidth, kHeight), 0);
+}
+
+TEST_F(Live, WhatTheWindowCannotSpellStandsInTheTerminal) {
+  const InJapanese japanese;
+  const auto save = [&](const std::string& first) {
+    folder.write("a.frag", first + "\nout vec4 oColor;\nvoid main() { oColor = vec4(1); }\n");
+  };
+  folder.write("a.vert", "#version 410 core\nvoid main() { gl_Position = vec4(0); }\n");
+  save("#version 410 core");
+  const gg::Program program({"a.vert", "a.frag"}, folder.path().string());
+  window.swapBuffers(); // watched
+  save("#version 110");
+  std::filesystem::last_write_time(folder.path() / "a.frag",
+                                   std::filesystem::file_time_type::clock::now() +
+                                       std::chrono::seconds(1));
+  std::this_thread::sleep_for(std::chrono::milliseconds(250));
+  CaptureStderr();
+  window.swapBuffers();
+  EXPECT_EQ(GetCapturedStderr(),
+            "a.frag:1: error: 最初の行は\"#version 410 core\"でなければなりません\n");
+  // "a.frag:1: error: see the terminal" is two lines of the window, each 18 pixels.
+  EXPECT_GT(letters(0, 18, kWidth, 18), 50);
+  EXPECT_EQ(letters(0, 36, kWidth, kHeight - 36), 0);
 }
 
 TEST_F(Live, SpaceStopsTheTimeAndArrowsStepIt) {

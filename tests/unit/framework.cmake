@@ -13,5 +13,5 @@ ggrade_test(framework_unit unit
     ${CMAKE_CURRENT_LIST_DIR}/scene_declarations_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_json_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/scene_test.cpp
-  LIBRARIES gg_core)
+  LIBRARIES gg_core gg_words)
 target_include_directories(framework_unit PRIVATE ${PROJECT_SOURCE_DIR}/framework/src)

@@ -34,6 +34,13 @@ TEST(Arguments, APartAndASceneExcludeEachOther) {
             "--part and --scene both choose the scene; give one of them");
 }
 
+TEST(Arguments, TheLanguageHoldsForWhatFollows) {
+  EXPECT_EQ(messageFor({"--lang", "de"}), "--lang de: must be en or ja");
+  EXPECT_EQ(messageFor({"--lang=ja", "--mesh"}), "--meshには値が要ります");
+  EXPECT_THAT(gg::detail::usage("floor"), testing::StartsWith("使い方: floor [--part ID"));
+  EXPECT_EQ(messageFor({"--lang", "en", "--mesh"}), "--mesh needs a value");
+}
+
 TEST(Arguments, HelpIsRecognised) {
   EXPECT_TRUE(parseArguments({"--help"}).help);
   EXPECT_TRUE(parseArguments({"-h"}).help);
