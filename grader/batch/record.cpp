@@ -5,6 +5,7 @@
 #include "report/summary.hpp"
 #include "report/text.hpp"
 #include "report/write_file.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -31,7 +32,7 @@ std::string feedbackOf(const report::Result& result, report::Reveal reveal) {
   for (const report::Diagnosis& diagnosis : view.diagnoses) {
     text += report::sanitizeLine(diagnosis.text, 800) + "\n";
     if (!diagnosis.step.empty())
-      text += "Read again: " + report::sanitizeLine(diagnosis.step) + "\n";
+      text += gg::say("Read again: {}", report::sanitizeLine(diagnosis.step)) + '\n';
   }
   for (const report::Item* item : report::worstItems(view, 100))
     text += fmt::format("{}: {}. {}\n", report::sanitizeLine(item->title),

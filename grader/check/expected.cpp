@@ -52,6 +52,10 @@ fs::path stepPicture(const fs::path& folder, std::size_t step) {
   return folder / fmt::format("step-{}.png", step);
 }
 
+fs::path wordsFile(const fs::path& folder) {
+  return folder / "words.ja.json";
+}
+
 void save(const Expected& expected, const fs::path& folder) {
   report::makeFolder(folder / "views");
   json scenes = json::array(), faults = json::array();

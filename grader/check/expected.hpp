@@ -54,6 +54,9 @@ std::filesystem::path referenceFolder(const std::filesystem::path& folder);
 /// The public scene's window after `step` TODOs, first frame; PNG.
 std::filesystem::path stepPicture(const std::filesystem::path& folder, std::size_t step);
 
+/// Translations of the faults' texts; there may be none.
+std::filesystem::path wordsFile(const std::filesystem::path& folder);
+
 /// Writes all but what these hold. Throws UsageError when the disk is full.
 void save(const Expected& expected, const std::filesystem::path& folder);
 /// Throws UsageError for a file that is missing or cut off.

@@ -73,6 +73,7 @@ public:
     for (const Part& part : target_.parts)
       if (fs::exists(expected / part.id)) {
         expected_.push_back(load(expected / part.id));
+        gg::addWords(wordsFile(expected / part.id));
         parts_.push_back(&part);
       }
     if (parts_.empty())
@@ -157,8 +158,10 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kRight : kUsage;
   }
-  if (!options.language.empty())
-    gg::setLanguage(options.language == "ja" ? gg::Language::japanese : gg::Language::english);
+  if (const auto language = gg::parseLanguage(options.language)) {
+    gg::setLanguage(*language);
+    setenv("GG_LANG", options.language.c_str(), 1);
+  }
   return Command(options).run();
 }
 

@@ -44,6 +44,18 @@ std::set<std::string> allTodos(const Assignment& assignment) {
   return all;
 }
 
+/// Only what is said of these faults: the solution's table tells more than students should know.
+void writeWords(const check::Expected& expected, const fs::path& solutions, const fs::path& into) {
+  const fs::path table = solutions / "words.ja.json";
+  if (!fs::exists(table)) return;
+  const json all = readJson(table);
+  json told = json::object();
+  for (const check::Fault& fault : expected.faults)
+    for (const std::string& text : {fault.title, fault.hint})
+      if (all.contains(text)) told[text] = all[text];
+  report::writeFile(check::wordsFile(into), told.dump(1));
+}
+
 } // namespace
 
 void writeExpected(const Assignment& assignment, const Part& part, const fs::path& solutions,
@@ -69,10 +81,10 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
     numbers.push_back(plan.scenes.size());
     plan.scenes.push_back({scene.name, true, {}, scene.times, scene.scene, "", {}});
   }
-  const auto say = [&](const std::string& what, std::size_t done, std::size_t total) {
+  const auto tell = [&](const std::string& what, std::size_t done, std::size_t total) {
     progress(part.id + ": " + what, done, total);
   };
-  const grading::References references = grading::prepareReferences(target, solutions, plan, say);
+  const grading::References references = grading::prepareReferences(target, solutions, plan, tell);
   for (const rubric::SceneFolders& scene : references.scenes)
     expected.reference.push_back(grading::viewsIn(scene.reference));
   const auto showing = [&](const std::vector<grading::Faulty>& programs,
@@ -82,7 +94,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
         [&](std::size_t scene) -> const diagnosis::SceneViews& {
           return expected.reference[scene];
         },
-        say);
+        tell);
   };
 
   std::vector<grading::Faulty> steps;
@@ -122,7 +134,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   report::makeFolder(check::stubFolder(into));
   writeSources(assignment, solutions, handedOut, check::stubFolder(into));
   for (std::size_t k = 0; k < filled.size(); ++k) {
-    say("pictures of the steps", k, filled.size());
+    tell("pictures of the steps", k, filled.size());
     const check::Scene& scene = expected.scenes.front();
     const channel::Capture capture =
         draw(assignment, solutions, filled[k], scene.scene, {scene.times.front()},
@@ -132,6 +144,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
     if (k + 1 == filled.size()) writePassFiles(capture.trace, check::referenceFolder(into), true);
   }
   check::save(expected, into);
+  writeWords(expected, solutions, into);
 }
 
 void updateExpected(const Target& target, const fs::path& solutions, const fs::path& into,

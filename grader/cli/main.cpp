@@ -6,6 +6,7 @@
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
 #include "sandbox/sandbox.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -24,12 +25,40 @@ std::vector<std::string> afterDashes;
 
 namespace {
 
+/// Takes `--lang WORD` out of what stands before `--`. Programs and judges that are started follow.
+void takeLanguage(std::vector<char*>& words) {
+  const auto dashes = [&] {
+    return std::ranges::find_if(words,
+                                [](const char* word) { return word == std::string_view("--"); });
+  };
+  for (auto word = words.begin(); word != dashes();) {
+    const std::string_view text = *word;
+    const bool joined = text.starts_with("--lang=");
+    if (!joined && text != "--lang") {
+      ++word;
+      continue;
+    }
+    if (!joined && std::next(word) == dashes()) throw UsageError("--lang needs a value: en or ja");
+    const std::string_view named = joined ? text.substr(7) : std::string_view(*std::next(word));
+    const auto language = gg::parseLanguage(named);
+    if (!language) throw UsageError(fmt::format("--lang {}: there are en and ja", named));
+    gg::setLanguage(*language);
+    setenv("GG_LANG", std::string(named).c_str(), 1);
+    word = words.erase(word, std::next(word, joined ? 1 : 2));
+  }
+}
+
 /// No sandbox: an outcome of its own, with its own exit code.
 struct NoSandbox : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-int run(int argc, char** argv) {
+int run(int count, char** given) {
+  std::vector<char*> words(given, given + count);
+  takeLanguage(words);
+  const int argc = int(words.size());
+  words.push_back(nullptr);
+  char** const argv = words.data();
   // `compare` links OpenImageIO and is a program of its own, so that nothing else pays for that.
   if (argc > 1 && std::strcmp(argv[1], "compare") == 0) {
     const std::string program = std::string(toolchain::kBuildFolder) + "/bin/ggrade-compare";
@@ -46,7 +75,8 @@ int run(int argc, char** argv) {
       "  ggrade grade mirror uploads/ada --out out/ada\n"
       "  ggrade batch mirror uploads --out class\n"
       "  ggrade COMMAND --help\n\n"
-      "Also: ggrade run ID (a window), ggrade test (all tests), ggrade compare A B (two images).");
+      "Also: ggrade run ID (a window), ggrade test (all tests), ggrade compare A B (two images).\n"
+      "Every command: --lang en|ja, what students read (default: by GG_LANG, else LANG).");
   app.set_version_flag("--version", std::string("ggrade ") + toolchain::kVersion);
   app.require_subcommand(1);
   addList(app);

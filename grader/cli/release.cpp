@@ -8,6 +8,7 @@
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
 #include "report/write_file.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -213,7 +214,10 @@ void addRelease(CLI::App& app) {
       "  ggrade release --parts shadow --out out/week2          the mirror comes filled in\n"
       "  ggrade release --blank mirror.4,mirror.5 --out out/short\n"
       "  ggrade release --gradescope --parts mirror --out out/autograder");
-  command->callback([options] { release(*options); });
+  command->callback([options] {
+    gg::setLanguage(gg::Language::english); // translated where it is read
+    release(*options);
+  });
 }
 
 void addExpect(CLI::App& app) {
@@ -226,6 +230,7 @@ void addExpect(CLI::App& app) {
   command->add_option("--out", wanted->out)->required();
   command->add_option("ID", wanted->id)->required();
   command->callback([wanted] {
+    gg::setLanguage(gg::Language::english); // as in a kit
     requireSandbox();
     Progress progress("expect");
     const Target target = findTarget(assignmentsFolder(), wanted->id);

@@ -4,7 +4,7 @@
 #include "diagnosis/views.hpp"
 #include "image/compare.hpp"
 
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,6 +12,8 @@
 #include <numeric>
 
 namespace ggrade::diagnosis {
+
+using gg::say;
 
 namespace {
 
@@ -181,44 +183,51 @@ bool plainlyOneColour(std::span<const Pair> pairs, Generic& found) {
   return true;
 }
 
+std::string acrossOf(int dx) {
+  if (dx == 1) return say("1 pixel to the right");
+  if (dx == -1) return say("1 pixel to the left");
+  return dx > 0 ? say("{} pixels to the right", dx) : say("{} pixels to the left", -dx);
+}
+
+std::string downOf(int dy) {
+  if (dy == 1) return say("1 pixel down");
+  if (dy == -1) return say("1 pixel up");
+  return dy > 0 ? say("{} pixels down", dy) : say("{} pixels up", -dy);
+}
+
 } // namespace
 
 std::string words(const Generic& generic, const std::string& what) {
   switch (generic.kind) {
   case Kind::otherSize:
-    return what + " has another size than the window that the scene asks for.";
+    return say("{} has another size than the window that the scene asks for.", what);
   case Kind::black:
-    return what + " is black all over.";
+    return say("{} is black all over.", what);
   case Kind::constant:
-    return what + " has one colour all over.";
+    return say("{} has one colour all over.", what);
   case Kind::stub:
-    return what + " is still that of the handed-out program.";
+    return say("{} is still that of the handed-out program.", what);
   case Kind::lastFrame:
-    return what + " is one frame late: it shows what belongs to the frame before.";
+    return say("{} is one frame late: it shows what belongs to the frame before.", what);
   case Kind::upsideDown:
-    return what + " is right, but upside down.";
+    return say("{} is right, but upside down.", what);
   case Kind::mirrored:
-    return what + " is right, but left and right are exchanged.";
+    return say("{} is right, but left and right are exchanged.", what);
   case Kind::turned:
-    return what + " is right, but turned by half a turn.";
+    return say("{} is right, but turned by half a turn.", what);
   case Kind::redBlueSwapped:
-    return what + " is right, but red and blue are exchanged.";
+    return say("{} is right, but red and blue are exchanged.", what);
   case Kind::encodedTwice:
-    return what + " is too bright in the way of a gamma curve that is applied twice.";
+    return say("{} is too bright in the way of a gamma curve that is applied twice.", what);
   case Kind::notEncoded:
-    return what + " is too dark in the way of a gamma curve that is missing.";
+    return say("{} is too dark in the way of a gamma curve that is missing.", what);
   case Kind::scaled:
-    return fmt::format("{} is right, but {:.2f} times as bright as it should be.", what,
-                       generic.factor);
+    return say("{} is right, but {:.2f} times as bright as it should be.", what, generic.factor);
   case Kind::shifted: {
-    std::string by;
-    if (generic.dx != 0)
-      by = fmt::format("{} pixel{} to the {}", std::abs(generic.dx),
-                       std::abs(generic.dx) == 1 ? "" : "s", generic.dx > 0 ? "right" : "left");
-    if (generic.dy != 0)
-      by += fmt::format("{}{} pixel{} {}", by.empty() ? "" : " and ", std::abs(generic.dy),
-                        std::abs(generic.dy) == 1 ? "" : "s", generic.dy > 0 ? "down" : "up");
-    return fmt::format("{} is right, but shifted by {}.", what, by);
+    const std::string across = acrossOf(generic.dx), down = downOf(generic.dy);
+    if (generic.dx != 0 && generic.dy != 0)
+      return say("{} is right, but shifted by {} and {}.", what, across, down);
+    return say("{} is right, but shifted by {}.", what, generic.dx != 0 ? across : down);
   }
   }
   return what;

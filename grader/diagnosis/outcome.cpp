@@ -1,6 +1,7 @@
 #include "diagnosis/outcome.hpp"
 
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 
 namespace ggrade::diagnosis {
 
+using gg::say;
 using report::Diagnosis;
 using report::Outcome;
 
@@ -22,23 +24,26 @@ struct Warning {
 };
 
 constexpr std::array kTelling = {
-    Warning{"[-Wcomment]", "a comment that ends in a backslash goes on in the next line: what "
-                           "stands there is not executed"},
-    Warning{"[-Wempty-body]", "the semicolon ends the statement: what follows is not part of it"},
-    Warning{"[-Wmisleading-indentation]", "this line is not part of the statement above it"},
-    Warning{"[-Wparentheses]", "= where == may be meant, or a dangling else"},
-    Warning{"[-Wunused-value]", "this computes something and does nothing with it"},
-    Warning{"[-Wunused-but-set-variable]", "this is set and never used"},
-    Warning{"[-Wunused-variable]", "this is never used"},
-    Warning{"[-Wuninitialized]", "this is used before it has a value"},
-    Warning{"[-Wmaybe-uninitialized]", "this may be used before it has a value"},
-    Warning{"[-Wreturn-type]", "this function ends without its return value"},
-    Warning{"[-Wimplicit-fallthrough=]", "this case goes on into the next one"},
-    Warning{"[-Wunreachable-code]", "this is never reached"},
-    Warning{"[-Wbool-compare]", "this comparison is always true or always false"},
-    Warning{"[-Wtype-limits]", "this comparison is always true or always false"},
-    Warning{"[-Woverflow]", "this number doesn't fit into its type"},
-    Warning{"[-Wdiv-by-zero]", "this divides by zero"},
+    Warning{"[-Wcomment]",
+            gg::tag("a comment that ends in a backslash goes on in the next line: what "
+                    "stands there is not executed")},
+    Warning{"[-Wempty-body]",
+            gg::tag("the semicolon ends the statement: what follows is not part of it")},
+    Warning{"[-Wmisleading-indentation]",
+            gg::tag("this line is not part of the statement above it")},
+    Warning{"[-Wparentheses]", gg::tag("= where == may be meant, or a dangling else")},
+    Warning{"[-Wunused-value]", gg::tag("this computes something and does nothing with it")},
+    Warning{"[-Wunused-but-set-variable]", gg::tag("this is set and never used")},
+    Warning{"[-Wunused-variable]", gg::tag("this is never used")},
+    Warning{"[-Wuninitialized]", gg::tag("this is used before it has a value")},
+    Warning{"[-Wmaybe-uninitialized]", gg::tag("this may be used before it has a value")},
+    Warning{"[-Wreturn-type]", gg::tag("this function ends without its return value")},
+    Warning{"[-Wimplicit-fallthrough=]", gg::tag("this case goes on into the next one")},
+    Warning{"[-Wunreachable-code]", gg::tag("this is never reached")},
+    Warning{"[-Wbool-compare]", gg::tag("this comparison is always true or always false")},
+    Warning{"[-Wtype-limits]", gg::tag("this comparison is always true or always false")},
+    Warning{"[-Woverflow]", gg::tag("this number doesn't fit into its type")},
+    Warning{"[-Wdiv-by-zero]", gg::tag("this divides by zero")},
 };
 
 std::string trimmed(const std::string& line) {
@@ -75,7 +80,7 @@ std::vector<std::string> tellingWarnings(const std::string& compilerOutput, std:
       if (line.find("warning:") == std::string::npos ||
           line.find(telling.flag) == std::string::npos)
         continue;
-      const std::string one = fmt::format("{}: {}", trimmed(line), telling.meaning);
+      const std::string one = fmt::format("{}: {}", trimmed(line), gg::words(telling.meaning));
       if (found.size() < most && std::ranges::find(found, one) == found.end()) found.push_back(one);
     }
   return found;
@@ -90,32 +95,37 @@ std::optional<Diagnosis> outcomeDiagnosis(const report::Result& result, const Fa
   case Outcome::notGradable:
     return std::nullopt;
   case Outcome::buildFailed:
-    found.text = "The program doesn't compile. Begin with the first error: later ones often follow "
-                 "from it.";
+    found.text =
+        say("The program doesn't compile. Begin with the first error: later ones often follow "
+            "from it.");
     found.beside.clear();
     return found;
   case Outcome::shaderError:
-    found.text = "A shader doesn't compile or link, so nothing can be drawn with it. The line and "
-                 "the column stand in the message above.";
+    found.text =
+        say("A shader doesn't compile or link, so nothing can be drawn with it. The line and "
+            "the column stand in the message above.");
     return found;
   case Outcome::noFrame:
     found.text = has(found.beside, "-Wcomment")
-                     ? "The program never shows a frame: window.swapBuffers() is not reached, and "
-                       "the compiler says that a comment swallows the line after it."
-                     : "The program never shows a frame: window.swapBuffers() is not reached. Look "
-                       "at what ends or skips the loop before it.";
+                     ? say("The program never shows a frame: window.swapBuffers() is not reached, "
+                           "and the compiler says that a comment swallows the line after it.")
+                     : say("The program never shows a frame: window.swapBuffers() is not reached. "
+                           "Look at what ends or skips the loop before it.");
     return found;
   case Outcome::timeout:
-    found.text = "The program takes too long. Most often a loop never ends, or something is made "
-                 "anew in every frame or for every object that should be made once.";
+    found.text =
+        say("The program takes too long. Most often a loop never ends, or something is made "
+            "anew in every frame or for every object that should be made once.");
     return found;
   case Outcome::crash:
-    found.text = "The program crashes. Most often a GL name or a pointer is used that was never "
-                 "made, or an index lies outside of its array.";
+    found.text =
+        say("The program crashes. Most often a GL name or a pointer is used that was never "
+            "made, or an index lies outside of its array.");
     return found;
   case Outcome::outOfMemory:
-    found.text = "The program runs out of memory. Most often textures or buffers are made in every "
-                 "frame and never deleted, or a size has one digit too many.";
+    found.text =
+        say("The program runs out of memory. Most often textures or buffers are made in every "
+            "frame and never deleted, or a size has one digit too many.");
     return found;
   case Outcome::badOutput:
     return std::nullopt;
@@ -127,27 +137,29 @@ std::optional<Diagnosis> outcomeDiagnosis(const report::Result& result, const Fa
     found.id = "nothing_drawn_to_the_window";
     if (all(facts.frames, [](const FrameFacts& f) { return f.boundFramebuffer != 0; })) {
       found.id = "framebuffer_left_bound";
-      found.text = fmt::format(
+      found.text = say(
           "Nothing reaches the window: framebuffer object {} is still bound where the picture is "
           "drawn and shown. Bind 0 again at the end of the pass that bound it.",
           facts.frames.front().boundFramebuffer);
     } else {
-      found.text = "Nothing is drawn to the window: everything goes into framebuffer objects, or "
-                   "no draw call is reached.";
+      found.text =
+          say("Nothing is drawn to the window: everything goes into framebuffer objects, or "
+              "no draw call is reached.");
     }
     return found;
   }
   if (!facts.incomplete.empty()) {
     found.id = "framebuffer_incomplete";
-    found.text = fmt::format("A framebuffer object is drawn into that is not complete ({}), so "
-                             "everything drawn into it is lost. Check glCheckFramebufferStatus "
-                             "after you have attached its textures.",
-                             facts.incomplete.front());
+    found.text = say("A framebuffer object is drawn into that is not complete ({}), so "
+                     "everything drawn into it is lost. Check glCheckFramebufferStatus "
+                     "after you have attached its textures.",
+                     facts.incomplete.front());
     return found;
   }
   if (result.outcome != Outcome::glError) return std::nullopt;
   const std::string message = firstMessage(result);
-  found.text = "OpenGL reports errors: a call that fails does nothing, so look at the first one.";
+  found.text =
+      say("OpenGL reports errors: a call that fails does nothing, so look at the first one.");
   if (!message.empty()) found.beside.insert(found.beside.begin(), message);
   return found;
 }

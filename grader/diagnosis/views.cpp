@@ -1,6 +1,6 @@
 #include "diagnosis/views.hpp"
 
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,8 @@
 #include <span>
 
 namespace ggrade::diagnosis {
+
+using gg::say;
 
 namespace {
 
@@ -96,18 +98,21 @@ bool isDrawnOver(std::span<const trace::PassRecord> passes, std::size_t pass, st
          });
 }
 
+std::string firstOf(const Slot& slot) {
+  if (slot.depth && slot.mesh) return say("the depth texture that objects are drawn into");
+  if (slot.mesh) return say("the texture that objects are drawn into");
+  const std::string size =
+      slot.octave > 0    ? say("1/{} of the window's size", 1 << std::min(slot.octave, 20))
+      : slot.octave == 0 ? say("the window's size")
+                         : say("{} times the window's size", 1 << std::min(-slot.octave, 20));
+  return slot.depth ? say("the depth texture at {}", size) : say("the texture at {}", size);
+}
+
 } // namespace
 
 std::string words(const Slot& slot) {
-  const std::string again = slot.nth > 0 ? fmt::format(", drawn time {}", slot.nth + 1) : "";
-  if (slot.depth && slot.mesh) return "the depth texture that objects are drawn into" + again;
-  if (slot.mesh) return "the texture that objects are drawn into" + again;
-  const std::string size =
-      slot.octave > 0 ? fmt::format("1/{} of the window's size", 1 << std::min(slot.octave, 20))
-      : slot.octave == 0
-          ? "the window's size"
-          : fmt::format("{} times the window's size", 1 << std::min(-slot.octave, 20));
-  return fmt::format("the {}texture at {}{}", slot.depth ? "depth " : "", size, again);
+  const std::string first = firstOf(slot);
+  return slot.nth > 0 ? say("{}, drawn time {}", first, slot.nth + 1) : first;
 }
 
 const PassView* SceneViews::find(const Slot& slot) const {

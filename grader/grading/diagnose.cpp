@@ -2,6 +2,7 @@
 
 #include "report/summary.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,13 +14,14 @@ namespace ggrade::grading {
 
 using diagnosis::FirstWrong;
 using diagnosis::Identified;
+using gg::say;
 using report::Diagnosis;
 
 namespace {
 
 std::string stepHeading(const Part& part, const std::string& todo) {
   for (std::size_t i = 0; i < part.todos.size(); ++i)
-    if (part.todos[i].id == todo) return fmt::format("Step {}: {}", i + 1, part.todos[i].title);
+    if (part.todos[i].id == todo) return say("Step {}: {}", i + 1, part.todos[i].title);
   return {};
 }
 
@@ -42,14 +44,15 @@ void describeStep(const Answer& answer, const Part& part, Diagnosis& words) {
   const bool nothing =
       answer.id == "step.0" || std::ranges::find(answer.alike, "step.0") != answer.alike.end();
   if (nothing) {
-    words.text =
-        "Your picture is still the one of the handed-out program: nothing of this part can "
-        "be seen yet.";
-    if (done > 0) words.text += fmt::format(" The first step that shows is step {}.", done + 1);
+    words.text = say("Your picture is still the one of the handed-out program: nothing of this "
+                     "part can be seen yet.");
+    if (done > 0) words.text += say(" The first step that shows is step {}.", done + 1);
   } else {
-    words.text = fmt::format("Your picture is the one of the program with {} done: what step {} "
-                             "adds can't be seen yet.",
-                             done == 1 ? "step 1" : fmt::format("steps 1 to {}", done), done + 1);
+    words.text = done == 1 ? say("Your picture is the one of the program with step 1 done: what "
+                                 "step 2 adds can't be seen yet.")
+                           : say("Your picture is the one of the program with steps 1 to {} done: "
+                                 "what step {} adds can't be seen yet.",
+                                 done, done + 1);
   }
 }
 
@@ -66,19 +69,21 @@ void describeMistake(const Answer& answer, const Part& part, const Catalogue& ca
       others.push_back(other->title);
   if (others.size() > 2) others.resize(2);
   for (const std::string& title : others)
-    words.beside.push_back("The same is seen where this is so: " + title + ".");
+    words.beside.push_back(say("The same is seen where this is so: {}.", title));
   if (answer.by == Identified::By::firstPass)
-    words.beside.push_back("Something else is wrong after it: grade again once this is right.");
+    words.beside.push_back(
+        say("Something else is wrong after it: grade again once this is right."));
 }
 
 void describePlace(const FirstWrong& first, const Submitted& submitted, Diagnosis& words) {
-  words.picture = first.slot ? diagnosis::words(*first.slot)
-                             : fmt::format("the window, frame {}", first.frame + 1);
+  words.picture =
+      first.slot ? diagnosis::words(*first.slot) : say("the window, frame {}", first.frame + 1);
   words.scene = submitted.plan.scenes[first.scene].name;
-  words.amount = first.missing ? "not there" : report::percent(first.share) + " of it differs";
+  words.amount =
+      first.missing ? say("not there") : say("{} of it differs", report::percent(first.share));
   if (!first.missing && first.width > 0)
-    words.place = fmt::format("around ({}, {}) of {}x{}", std::lround(first.x * first.width),
-                              std::lround(first.y * first.height), first.width, first.height);
+    words.place = say("around ({}, {}) of {}x{}", std::lround(first.x * first.width),
+                      std::lround(first.y * first.height), first.width, first.height);
 }
 
 Diagnosis inWords(const Answer& answer, const Submitted& submitted, const Part& part,
@@ -89,11 +94,11 @@ Diagnosis inWords(const Answer& answer, const Submitted& submitted, const Part& 
   words.confidence = answer.confidence;
   if (answer.first) describePlace(*answer.first, submitted, words);
   if (answer.id.empty()) {
-    words.text = "What went wrong here matches no known mistake. The items below say what was "
-                 "seen and where.";
+    words.text = say("What went wrong here matches no known mistake. The items below say what was "
+                     "seen and where.");
     words.step = stepOfWorst(result, part);
   } else if (answer.generic) {
-    std::string what = answer.of ? diagnosis::words(*answer.of) : "the window's picture";
+    std::string what = answer.of ? diagnosis::words(*answer.of) : say("the window's picture");
     what[0] = char(std::toupper(static_cast<unsigned char>(what[0])));
     words.text = diagnosis::words(*answer.generic, what);
     words.step = stepOfWorst(result, part);

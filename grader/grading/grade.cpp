@@ -9,6 +9,7 @@
 #include "image/difference.hpp"
 #include "image/flip.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #define XXH_INLINE_ALL
@@ -22,6 +23,7 @@
 namespace ggrade::grading {
 
 namespace fs = std::filesystem;
+using gg::say;
 using report::Outcome;
 
 namespace {
@@ -77,18 +79,17 @@ std::vector<std::string> remarks(const channel::Capture& capture) {
     const channel::CapturedFrame& frame = capture.frames[i];
     // The cause before its effect: the first remark is the one that a table shows.
     if (frame.boundFramebuffer != 0)
-      all.push_back(fmt::format("frame {}: a framebuffer object ({}) was still bound at the swap: "
-                                "bind 0 before you draw to the window",
-                                i + 1, frame.boundFramebuffer));
+      all.push_back(say("frame {}: a framebuffer object ({}) was still bound at the swap: bind 0 "
+                        "before you draw to the window",
+                        i + 1, frame.boundFramebuffer));
     if (frame.windowDraws == 0)
-      all.push_back(fmt::format("frame {}: nothing was drawn to the window", i + 1));
+      all.push_back(say("frame {}: nothing was drawn to the window", i + 1));
     if (frame.windowSrgb)
-      all.push_back(
-          fmt::format("frame {}: GL_FRAMEBUFFER_SRGB was on, but the window is linear", i + 1));
+      all.push_back(say("frame {}: GL_FRAMEBUFFER_SRGB was on, but the window is linear", i + 1));
   }
   for (const channel::CapturedMessage& message : capture.messages)
     if (message.kind != channel::MessageKind::capture)
-      all.push_back(fmt::format("frame {}: {}", message.frame + 1, message.text));
+      all.push_back(say("frame {}: {}", message.frame + 1, message.text));
   return all;
 }
 
@@ -97,8 +98,7 @@ std::vector<std::string> remarks(const channel::Capture& capture) {
 std::string compareRuns(const Rendering& first, const Rendering& again, report::Scene& scene) {
   if (again.happened.outcome == Outcome::notGradable) return {}; // no fault of the submission
   if (first.happened.outcome != again.happened.outcome)
-    return fmt::format("a second run of the same program ended in another way ({})",
-                       again.happened.detail);
+    return say("a second run of the same program ended in another way ({})", again.happened.detail);
   const auto frames = rawFrames(first.capture), others = rawFrames(again.capture);
   std::string where;
   for (std::size_t i = 0; i < frames.size() && i < others.size(); ++i) {
@@ -116,14 +116,13 @@ std::string compareRuns(const Rendering& first, const Rendering& again, report::
       scene.frames[i].unsteadyShare = share;
       scene.frames[i].unsteadyPicture = differencePicture(image, other);
     }
-    where +=
-        fmt::format("{}{} of frame {}", where.empty() ? "" : ", ", report::percent(share), i + 1);
+    where += (where.empty() ? "" : ", ") + say("{} of frame {}", report::percent(share), i + 1);
   }
   if (where.empty()) return {};
-  return fmt::format("not deterministic: a second run of the same program draws something else "
-                     "({}). Random numbers, the system's clock, or a variable or texture that was "
-                     "never set?",
-                     where);
+  return say(
+      "not deterministic: a second run of the same program draws something else ({}). Random "
+      "numbers, the system's clock, or a variable or texture that was never set?",
+      where);
 }
 
 report::Scene describe(const rubric::SceneFolders& folders, const Rendering& rendering,
@@ -225,7 +224,7 @@ Renderings renderScenes(const Target& target, const Built& built, const ScenePla
     renderings[i] = {};
     renderings[i].happened = {
         renderings[firstHung].happened.outcome,
-        fmt::format("not run: the program hung in scene {}", references.scenes[firstHung].name),
+        say("not run: the program hung in scene {}", references.scenes[firstHung].name),
         {},
         0};
     fs::remove_all(studentFolder(i));
@@ -326,7 +325,7 @@ report::Result ungraded(const Target& target, Outcome outcome, const std::string
   result.thresholds = {{"tolerance", kTolerance}, {"radius", kRadius}, {"window", kWindowSide}};
   result.outcome = outcome;
   result.detail = detail;
-  result.items = unearned(target, "the program was not built");
+  result.items = unearned(target, say("the program was not built"));
   return result;
 }
 
@@ -343,7 +342,7 @@ Built buildSubmission(const Target& target, const GradeOptions& options) {
   const Overlay taken = overlay(assignment, options.upload, built.program);
   if (!options.solution) result.unusedFiles = taken.unused;
   for (const std::string& name : taken.missing)
-    result.unusedFiles.push_back(name + ": not in the upload; the handed-out file stands in");
+    result.unusedFiles.push_back(say("{}: not in the upload; the handed-out file stands in", name));
 
   if (options.progress) options.progress("building", 0, 1);
   Happened happened;
@@ -428,8 +427,8 @@ Examining diagnosing(const Target& target, const fs::path& solutionFolder,
     } catch (const UsageError&) {
       // The catalogue is the instructor's; its faults cost nobody a grade.
       report::Diagnosis none;
-      none.text = "No cause was looked for: the catalogue of mistakes has a fault, which ggrade "
-                  "calibrate names.";
+      none.text = say("No cause was looked for: the catalogue of mistakes has a fault, which "
+                      "ggrade calibrate names.");
       result.diagnoses = {none};
     }
   };

@@ -1,6 +1,7 @@
 #include "grading/judge_process.hpp"
 
 #include "grading/workspace.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -70,7 +71,7 @@ std::string runJudgeProcess(std::vector<std::string> words, const fs::path& log)
 std::string stepTitle(const Target& target, const std::string& todo) {
   for (const Part& part : target.parts)
     for (std::size_t i = 0; i < part.todos.size(); ++i)
-      if (part.todos[i].id == todo) return fmt::format("Step {}: {}", i + 1, part.todos[i].title);
+      if (part.todos[i].id == todo) return gg::say("Step {}: {}", i + 1, part.todos[i].title);
   return todo;
 }
 

@@ -1,5 +1,7 @@
 #include "grading/overlay.hpp"
 
+#include "words/words.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -15,19 +17,20 @@
 namespace ggrade::grading {
 
 namespace fs = std::filesystem;
+using gg::say;
 
 namespace {
 
 /// Reads one uploaded file without following a link or waiting on a FIFO. Returns why not, or "".
 std::string readUploaded(const fs::path& path, std::string& content) {
   const int fd = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (fd < 0) return errno == ELOOP ? "a link" : "can't be read";
+  if (fd < 0) return errno == ELOOP ? say("a link") : say("can't be read");
   struct stat status = {};
   std::string reason;
   if (fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) {
-    reason = "not a regular file";
+    reason = say("not a regular file");
   } else if (std::uintmax_t(status.st_size) > kLargestSource) {
-    reason = fmt::format("larger than {} KiB", kLargestSource / 1024);
+    reason = say("larger than {} KiB", kLargestSource / 1024);
   } else {
     content.resize(kLargestSource + 1);
     std::size_t length = 0;
@@ -88,9 +91,9 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
       std::stable_partition(names.begin(), names.end(),
                             [&](const std::string& name) { return has(assignment.files, name); });
   if (const auto many = std::size_t(names.end() - others); many > kMostOtherFiles) {
-    result.unused.push_back(fmt::format("{} more files: an upload may have {} beside those of the "
-                                        "assignment",
-                                        many - kMostOtherFiles, kMostOtherFiles));
+    result.unused.push_back(
+        say("{} more files: an upload may have {} beside those of the assignment",
+            many - kMostOtherFiles, kMostOtherFiles));
     names.erase(others + kMostOtherFiles, names.end());
   }
   std::uintmax_t bytes = 0;
@@ -98,13 +101,13 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
     if (!takes(assignment, name)) {
       // What was handed out beside the editable files comes back with them, and is no mistake.
       if (!fs::exists(assignment.folder / name))
-        result.unused.push_back(name + ": not a file of this assignment");
+        result.unused.push_back(say("{}: not a file of this assignment", name));
       continue;
     }
     std::string content;
     std::string reason = readUploaded(upload / name, content);
     if (reason.empty() && bytes + content.size() > kLargestUpload)
-      reason = fmt::format("the files before it have {} MiB already", kLargestUpload >> 20);
+      reason = say("the files before it have {} MiB already", kLargestUpload >> 20);
     if (!reason.empty()) {
       result.unused.push_back(name + ": " + reason);
       continue;
@@ -114,8 +117,8 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
     result.used.push_back(name);
   }
   if (result.used.empty())
-    throw NothingToGrade(fmt::format("{} holds no file of {}: expected {}", upload.string(),
-                                     assignment.id, fmt::join(assignment.files, ", ")));
+    throw NothingToGrade(say("{} holds no file of {}: expected {}", upload.string(), assignment.id,
+                             fmt::format("{}", fmt::join(assignment.files, ", "))));
   for (const std::string& name : assignment.files) {
     if (has(result.used, name)) continue;
     writeFile(into / name, readFile(assignment.folder / name));

@@ -17,6 +17,7 @@ extern char** environ;
 namespace ggrade::grading {
 
 namespace fs = std::filesystem;
+using gg::say;
 using report::Outcome;
 using sandbox::End;
 using sandbox::Isolation;
@@ -77,8 +78,7 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
   happened.seconds = run.wallSeconds;
   happened.signalled = run.end == End::signalled;
   happened.output = report::sanitize(run.standardOutput + run.standardError);
-  const std::string progress =
-      fmt::format("{} of {} frames came", capture.frames.size(), frameCount);
+  const std::string progress = say("{} of {} frames came", capture.frames.size(), frameCount);
   const auto set = [&](Outcome outcome, std::string detail) {
     happened.outcome = outcome;
     happened.detail = std::move(detail);
@@ -86,16 +86,15 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
   // Ctrl-C reaches the whole group: the program may have died of it before the wait was broken off.
   if (run.end == End::interrupted || interrupted) throw Interrupted{};
   if (run.end == End::setupFailed) {
-    set(Outcome::notGradable, "the sandbox could not start: " + run.detail);
+    set(Outcome::notGradable, say("the sandbox could not start: {}", run.detail));
   } else if (!capture.error.empty()) {
-    set(Outcome::badOutput, "what the program handed over makes no sense: " + capture.error);
+    set(Outcome::badOutput, say("what the program handed over makes no sense: {}", capture.error));
   } else if (run.end == End::memoryLimit) {
     set(Outcome::outOfMemory, fmt::format("{}; {}", run.detail, progress));
   } else if (run.end == End::timeLimit) {
     if (capture.frames.empty() && capture.contextMade)
-      set(Outcome::noFrame, fmt::format("the program ran for {:.0f} s and never reached "
-                                        "glfwSwapBuffers",
-                                        run.wallSeconds));
+      set(Outcome::noFrame,
+          say("the program ran for {:.0f} s and never reached glfwSwapBuffers", run.wallSeconds));
     else
       set(Outcome::timeout, fmt::format("{}; {}", run.detail, progress));
   } else if (run.end == End::signalled) {
@@ -103,20 +102,18 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
   } else if (capture.frames.size() == frameCount) {
     const channel::CapturedMessage* error = firstGlError(capture);
     set(error ? Outcome::glError : Outcome::graded,
-        error ? fmt::format("frame {}: {}; {}", error->frame + 1, error->text, progress)
-              : progress);
+        error ? say("frame {}: {}; {}", error->frame + 1, error->text, progress) : progress);
   } else if (capture.endedByCapture && capture.frames.empty()) {
     set(Outcome::noFrame,
-        "the program's loop went round and round without ever reaching glfwSwapBuffers");
+        say("the program's loop went round and round without ever reaching glfwSwapBuffers"));
   } else if (run.exitCode == 3) {
     set(Outcome::shaderError, firstError(happened.output));
   } else if (run.exitCode != 0) {
-    set(Outcome::crash, fmt::format("the program ended with code {}: {}; {}", run.exitCode,
-                                    report::sanitizeLine(lastLine(run.standardError)), progress));
+    set(Outcome::crash, say("the program ended with code {}: {}; {}", run.exitCode,
+                            report::sanitizeLine(lastLine(run.standardError)), progress));
   } else {
     set(Outcome::noFrame,
-        fmt::format("the program ended before it had swapped the buffers often enough; {}",
-                    progress));
+        say("the program ended before it had swapped the buffers often enough; {}", progress));
   }
   return happened;
 }
@@ -205,7 +202,7 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
                                                    "-L",
                                                    (at.kit / "lib").string()};
   command.arguments.insert(command.arguments.end(), rest);
-  for (const char* library : {"gg", "gg_core", "gg_words", "gg_scene", "gg_glad", "glfw",
+  for (const char* library : {"gg", "gg_core", "gg_scene", "gg_words", "gg_glad", "glfw",
                               "tinyobjloader", "png16", "fmt"})
     command.arguments.push_back(std::string("-l") + library);
   command.environment = {
@@ -228,19 +225,19 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
   if (run.end == End::interrupted || interrupted) throw Interrupted{};
   if (run.end == End::setupFailed) {
     happened.outcome = Outcome::notGradable;
-    happened.detail = "the sandbox could not start: " + run.detail;
+    happened.detail = say("the sandbox could not start: {}", run.detail);
   } else if (run.end == End::exited && run.exitCode == 0 &&
              (isolation == Isolation::none || run.collected)) {
     happened.outcome = Outcome::graded;
   } else if (run.end == End::exited && run.exitCode == 0) {
     happened.outcome = Outcome::buildFailed;
-    happened.detail = "the compiler left no program: " + run.collectProblem;
+    happened.detail = say("the compiler left no program: {}", run.collectProblem);
   } else {
     happened.outcome = Outcome::buildFailed;
     if (run.end == End::exited) {
-      happened.detail = "the compiler says: " + firstError(happened.output);
+      happened.detail = say("the compiler says: {}", firstError(happened.output));
     } else {
-      happened.detail = "the compiler was stopped: " + run.detail;
+      happened.detail = say("the compiler was stopped: {}", run.detail);
     }
   }
   return happened;

@@ -3,6 +3,7 @@
 #include "intake/names.hpp"
 #include "intake/packed.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,6 +11,9 @@
 #include <algorithm>
 
 namespace ggrade::intake {
+
+using gg::say;
+
 namespace {
 
 constexpr std::size_t kLongestShown = 160; ///< code points of a name in a message
@@ -22,22 +26,21 @@ bool isDrive(std::string_view path) {
 std::string reasonFor(const Entry& entry, const Limits& limits) {
   switch (entry.kind) {
   case Kind::tooLarge:
-    return fmt::format("{} bytes or more, a file may have {} MiB", entry.size,
-                       limits.fileBytes >> 20);
+    return say("{} bytes or more, a file may have {} MiB", entry.size, limits.fileBytes >> 20);
   case Kind::encrypted:
-    return "is encrypted: ask for an upload without a password";
+    return say("is encrypted: ask for an upload without a password");
   case Kind::damaged:
-    return "is damaged, or compressed in a way that is not read";
+    return say("is damaged, or compressed in a way that is not read");
   case Kind::symbolicLink:
-    return "is a symbolic link";
+    return say("is a symbolic link");
   case Kind::hardLink:
-    return "is a hard link";
+    return say("is a hard link");
   case Kind::device:
-    return "is a device";
+    return say("is a device");
   case Kind::fifo:
-    return "is a FIFO";
+    return say("is a FIFO");
   case Kind::socket:
-    return "is a socket";
+    return say("is a socket");
   default:
     return {};
   }
@@ -54,41 +57,40 @@ SafePath safePath(std::string_view bytes) {
     return result;
   };
   if (bytes.empty()) {
-    result.shown = "(no name)";
-    return refuse("has no name");
+    result.shown = say("(no name)");
+    return refuse(say("has no name"));
   }
-  if (!name) return refuse("its name is neither UTF-8 nor Shift_JIS (CP932)");
-  if (hasControl(*name)) return refuse("its name holds a control character");
+  if (!name) return refuse(say("its name is neither UTF-8 nor Shift_JIS (CP932)"));
+  if (hasControl(*name)) return refuse(say("its name holds a control character"));
   // Decoded first: the second byte of a character may be a backslash in CP932.
   std::string path = *name;
   std::replace(path.begin(), path.end(), '\\', '/');
-  if (path.front() == '/') return refuse("is an absolute path");
-  if (isDrive(path)) return refuse("names a drive");
+  if (path.front() == '/') return refuse(say("is an absolute path"));
+  if (isDrive(path)) return refuse(say("names a drive"));
   std::size_t depth = 0;
   for (std::size_t start = 0, end = 0; end != path.npos; start = end + 1) {
     end = path.find('/', start);
     const std::string component = path.substr(start, end == path.npos ? end : end - start);
     if (component.empty() || component == ".") continue;
-    if (component == "..") return refuse("leads out of its folder");
+    if (component == "..") return refuse(say("leads out of its folder"));
     if (component.size() > kLongestComponent)
-      return refuse(
-          fmt::format("a name of {} bytes, {} are allowed", component.size(), kLongestComponent));
-    if (++depth > kDeepest) return refuse(fmt::format("more than {} folders deep", kDeepest));
+      return refuse(say("a name of {} bytes, {} are allowed", component.size(), kLongestComponent));
+    if (++depth > kDeepest) return refuse(say("more than {} folders deep", kDeepest));
     result.path += (result.path.empty() ? "" : "/") + component;
   }
-  if (result.path.empty()) return refuse("has no name");
+  if (result.path.empty()) return refuse(say("has no name"));
   return result;
 }
 
 void Contents::add(const Entry& entry) {
   if (entry.kind == Kind::clutter) {
     if (++clutterCount_ > limits_.clutter)
-      throw UploadProblem(fmt::format("holds more than {} files and folders", limits_.clutter));
+      throw UploadProblem(say("holds more than {} files and folders", limits_.clutter));
     ++clutter_[std::string(entry.name)];
     return;
   }
   if (++entries_ > limits_.entries)
-    throw UploadProblem(fmt::format("holds more than {} files and folders", limits_.entries));
+    throw UploadProblem(say("holds more than {} files and folders", limits_.entries));
   if (entry.kind == Kind::folder) return; // made for the files in it
   const SafePath name = safePath(entry.name);
   std::string reason = reasonFor(entry, limits_);
@@ -97,7 +99,7 @@ void Contents::add(const Entry& entry) {
 
   bytes_ += entry.bytes.size();
   if (bytes_ > limits_.bytes)
-    throw UploadProblem(fmt::format("holds more than {} MiB of files", limits_.bytes >> 20));
+    throw UploadProblem(say("holds more than {} MiB of files", limits_.bytes >> 20));
   files_.push_back({name.path, std::string(entry.bytes), entry.modified});
 }
 
@@ -108,18 +110,18 @@ void Contents::refuse(std::string_view shownName, std::string_view reason) {
 std::string Contents::conflict(const std::string& path) {
   const std::string folded = case_ == Case::ignored ? caseFolded(path) : path;
   const auto [before, isNew] = taken_.try_emplace(folded, path);
-  if (!isNew && before->second == path) return "is there twice: the first counts";
-  if (!isNew) return fmt::format("differs from {} in case only: the first counts", before->second);
+  if (!isNew && before->second == path) return say("is there twice: the first counts");
+  if (!isNew) return say("differs from {} in case only: the first counts", before->second);
   if (folders_.count(folded)) {
     taken_.erase(before);
-    return "is a folder, too: that counts";
+    return say("is a folder, too: that counts");
   }
   std::vector<std::string> above;
   for (std::size_t end = folded.find('/'); end != folded.npos; end = folded.find('/', end + 1)) {
     above.push_back(folded.substr(0, end));
     if (!taken_.count(above.back())) continue;
     taken_.erase(before);
-    return fmt::format("{} is a file, too: that counts", path.substr(0, path.rfind('/')));
+    return say("{} is a file, too: that counts", path.substr(0, path.rfind('/')));
   }
   folders_.insert(above.begin(), above.end());
   return {};
@@ -129,8 +131,9 @@ std::string Contents::clutterRemark() const {
   if (clutter_.empty()) return {};
   std::vector<std::string> names;
   for (const auto& [name, count] : clutter_) names.push_back(name);
-  return fmt::format("passed over {} {}: {}", clutterCount_,
-                     clutterCount_ == 1 ? "entry" : "entries", fmt::join(names, ", "));
+  const std::string all = fmt::format("{}", fmt::join(names, ", "));
+  return clutterCount_ == 1 ? say("passed over 1 entry: {}", all)
+                            : say("passed over {} entries: {}", clutterCount_, all);
 }
 
 } // namespace ggrade::intake

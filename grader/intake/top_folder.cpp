@@ -2,6 +2,7 @@
 
 #include "intake/names.hpp"
 #include "intake/packed.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -33,7 +34,8 @@ std::string topOf(const std::vector<File>& files, const Names& wanted) {
   for (const File& file : files)
     if (!wantedAt(file.path, wanted).empty()) ++counts[folderOf(file.path)];
   if (counts.empty())
-    throw UploadProblem(fmt::format("the upload holds none of {}", fmt::join(wanted, ", ")));
+    throw UploadProblem(
+        gg::say("the upload holds none of {}", fmt::format("{}", fmt::join(wanted, ", "))));
   std::vector<Candidate> candidates;
   for (const auto& [folder, count] : counts)
     candidates.push_back({folder, std::count(folder.begin(), folder.end(), '/'), count});
@@ -42,9 +44,9 @@ std::string topOf(const std::vector<File>& files, const Names& wanted) {
   });
   if (candidates.size() > 1 && candidates[0].depth == candidates[1].depth &&
       candidates[0].count == candidates[1].count)
-    throw UploadProblem(fmt::format("{} and {} both hold the assignment's files: which one counts?",
-                                    displayName(candidates[0].folder),
-                                    displayName(candidates[1].folder)));
+    throw UploadProblem(gg::say("{} and {} both hold the assignment's files: which one counts?",
+                                displayName(candidates[0].folder),
+                                displayName(candidates[1].folder)));
   return candidates[0].folder;
 }
 
@@ -61,7 +63,7 @@ std::string wantedName(std::string_view name, const Names& wanted) {
 TopFolder takeTopFolder(std::vector<File> files, const Names& wanted) {
   const std::string top = topOf(files, wanted);
   TopFolder result;
-  result.reason = fmt::format("is outside {}, where the assignment's files are", displayName(top));
+  result.reason = gg::say("is outside {}, where the assignment's files are", displayName(top));
   for (File& file : files) {
     if (!file.path.starts_with(top)) {
       result.outside.push_back(displayName(file.path));
@@ -70,7 +72,7 @@ TopFolder takeTopFolder(std::vector<File> files, const Names& wanted) {
     file.path.erase(0, top.size());
     const std::string name = wantedName(file.path, wanted);
     if (!name.empty() && name != file.path) {
-      result.remarks.push_back(fmt::format("{} counts as {}", displayName(file.path), name));
+      result.remarks.push_back(gg::say("{} counts as {}", displayName(file.path), name));
       file.path = name;
     }
     result.files.push_back(std::move(file));

@@ -8,6 +8,7 @@
 #include "intake/names.hpp"
 #include "intake/packed.hpp"
 #include "intake/top_folder.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -20,8 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 using Names = std::vector<std::string>;
-
-constexpr std::string_view kOtherArchive = "only zip and tar files (gz, bz2, xz, zst) are unpacked";
 
 /// Reads the sources of one upload, one after the other.
 class Collector {
@@ -47,10 +46,10 @@ private:
     for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
       paths.push_back(entry->path());
       if (paths.size() > kUploadLimits.clutter)
-        throw UploadProblem(
-            fmt::format("holds more than {} files and folders", kUploadLimits.clutter));
+        throw UploadProblem(gg::say("holds more than {} files and folders", kUploadLimits.clutter));
     }
-    if (error) contents.refuse(safePath(prefix + '.').shown, "can't be read: " + error.message());
+    if (error)
+      contents.refuse(safePath(prefix + '.').shown, gg::say("can't be read: {}", error.message()));
     std::sort(paths.begin(), paths.end());
     for (const fs::path& path : paths) {
       const std::string name = prefix + path.filename().string();
@@ -60,7 +59,7 @@ private:
         if (depth < kDeepest)
           addFolder(path, name + '/', depth + 1);
         else
-          contents.refuse(safePath(name).shown, fmt::format("more than {} folders deep", kDeepest));
+          contents.refuse(safePath(name).shown, gg::say("more than {} folders deep", kDeepest));
       } else {
         addEntry(path, name, kind, depth == 1);
       }
@@ -72,9 +71,11 @@ private:
     if (const std::string_view clutter = clutterIn(name); !clutter.empty())
       return contents.add({.name = clutter, .kind = Kind::clutter});
     const std::string shown = safePath(name).shown;
-    if (kind == Kind::file && isOtherArchive(name)) return contents.refuse(shown, kOtherArchive);
+    if (kind == Kind::file && isOtherArchive(name))
+      return contents.refuse(shown,
+                             gg::say("only zip and tar files (gz, bz2, xz, zst) are unpacked"));
     if (kind == Kind::file && !archiveSuffix(name).empty()) {
-      if (!opens) return contents.refuse(shown, "an archive in a folder is not unpacked");
+      if (!opens) return contents.refuse(shown, gg::say("an archive in a folder is not unpacked"));
       return addArchive(path, shown);
     }
     Entry entry{.name = name, .kind = kind};
@@ -99,7 +100,7 @@ private:
     try {
       if (++archives_ > kMostArchives)
         throw UploadProblem(
-            fmt::format("is one archive too many: an upload may have {}", kMostArchives));
+            gg::say("is one archive too many: an upload may have {}", kMostArchives));
       const std::string bundle = bundleOf(path, folder_, kUploadLimits, isolation_, cancel_);
       for (const Entry& entry : entriesOf(bundle, kUploadLimits)) addPacked(entry);
     } catch (const UploadProblem& problem) {
@@ -111,7 +112,7 @@ private:
     const bool packed = !archiveSuffix(entry.name).empty() || isOtherArchive(entry.name);
     if (entry.kind == Kind::file && packed)
       return contents.refuse(safePath(entry.name).shown,
-                             "an archive in an archive is not unpacked");
+                             gg::say("an archive in an archive is not unpacked"));
     contents.add(entry);
   }
 
@@ -143,7 +144,7 @@ void renameLoose(std::vector<File>& files, const Names& wanted, Names& remarks) 
     std::string name = wantedName(splitNumber(file.path).name, wanted);
     if (name.empty() && files.size() == 1) name = onlyChoice(file.path, wanted);
     if (name.empty() || isThere(name)) continue;
-    remarks.push_back(fmt::format("{} counts as {}", displayName(file.path), name));
+    remarks.push_back(gg::say("{} counts as {}", displayName(file.path), name));
     file.path = name;
   }
 }
@@ -157,10 +158,10 @@ void toUtf8(File& file, const Names& wanted, Names& remarks) {
   if (!isSource || isUtf8(file.bytes)) return;
   if (std::optional<std::string> text = fromCp932(file.bytes)) {
     file.bytes = std::move(*text);
-    remarks.push_back(displayName(file.path) + " was Shift_JIS (CP932)");
+    remarks.push_back(gg::say("{} was Shift_JIS (CP932)", displayName(file.path)));
   } else {
-    remarks.push_back(displayName(file.path) +
-                      " is neither UTF-8 nor Shift_JIS (CP932): save it as UTF-8");
+    remarks.push_back(gg::say("{} is neither UTF-8 nor Shift_JIS (CP932): save it as UTF-8",
+                              displayName(file.path)));
   }
 }
 

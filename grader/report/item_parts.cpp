@@ -2,31 +2,36 @@
 
 #include "report/summary.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace ggrade::report {
+
+using gg::say;
+
 namespace {
 
 struct ItemLook {
-  std::string_view state, sign, word;
+  std::string_view state, sign, word; // the word in the reader's language
 };
 
 ItemLook lookOf(const Item& item) {
   const bool bonus = item.kind == ItemKind::bonus;
   switch (standing(item)) {
   case Standing::full:
-    return {bonus ? "extra" : "full", "✓", item.kind == ItemKind::keep ? "kept" : "full points"};
+    return {bonus ? "extra" : "full", "✓",
+            item.kind == ItemKind::keep ? gg::words("kept") : gg::words("full points")};
   case Standing::part:
-    return {bonus ? "extra" : "part", "◐", "some points"};
+    return {bonus ? "extra" : "part", "◐", gg::words("some points")};
   case Standing::none:
-    return bonus ? ItemLook{"unjudged", "○", "bonus not earned"}
-                 : ItemLook{"none", "✗", "no points"};
+    return bonus ? ItemLook{"unjudged", "○", gg::words("bonus not earned")}
+                 : ItemLook{"none", "✗", gg::words("no points")};
   case Standing::unjudged:
     break;
   }
-  return {"unjudged", "–", "not judged"};
+  return {"unjudged", "–", gg::words("not judged")};
 }
 
 Data tagsOf(const Item& item) {
@@ -37,10 +42,10 @@ Data tagsOf(const Item& item) {
     tag["tagState"] = Data(state);
     tags << tag;
   };
-  if (item.kind == ItemKind::bonus) add("bonus", "extra");
+  if (item.kind == ItemKind::bonus) add(say("bonus"), "extra");
   if (item.kind == ItemKind::keep)
-    add(fmt::format("must stay right, up to −{}", number(item.points)), "plain");
-  if (item.beyondLecture) add("beyond the lecture", "plain");
+    add(say("must stay right, up to −{}", number(item.points)), "plain");
+  if (item.beyondLecture) add(say("beyond the lecture"), "plain");
   return tags;
 }
 

@@ -5,6 +5,7 @@
 #include "report/page.hpp"
 #include "report/results.hpp"
 #include "report/summary.hpp"
+#include "words/words.hpp"
 
 #include <array>
 #include <cstddef>
@@ -30,7 +31,7 @@ Pictures encode(const Result& result, std::launch how);
 /// Who reads the page decides its words, not what it shows: that is in the Result it is given.
 struct Audience {
   bool instructor = true;
-  std::string who() const { return instructor ? "submission" : "yours"; }
+  std::string who() const { return instructor ? gg::say("submission") : gg::say("yours"); }
 };
 
 /// "2 complete", "3 lost points", "1 crash": what one wants to know of a class at once.

@@ -4,12 +4,15 @@
 #include "report/picture.hpp"
 #include "report/templates.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <vector>
 
 namespace ggrade::report {
+
+using gg::say;
 
 Data optional(const std::string& trusted) {
   return trusted.empty() ? Data(false) : Data(trusted);
@@ -90,14 +93,14 @@ Data heroOf(const Result& result, const Audience& audience) {
   const std::string moment =
       fmt::format("{}, {} s", sanitizeLine(scene.name, 40), number(frame.time, 3));
   add(frame.student, whole ? 360 : 180, moment, audience.who() + ":");
-  if (!whole) add(frame.reference, 180, "reference", "");
+  if (!whole) add(frame.reference, 180, say("reference"), "");
   hero["pictures"] = std::move(pictures);
   return hero;
 }
 
 Data factsOf(const Result& result, const Audience& audience) {
   Data facts = makeList();
-  const auto add = [&](const char* heading,
+  const auto add = [&](std::string_view heading,
                        const std::vector<std::pair<std::string, std::string>>& rows) {
     if (rows.empty()) return;
     Data group, list = makeList();
@@ -107,27 +110,27 @@ Data factsOf(const Result& result, const Audience& audience) {
       row["text"] = Data(sanitizeLine(value));
       list << row;
     }
-    group["heading"] = Data(heading);
+    group["heading"] = Data(std::string(heading));
     group["rows"] = std::move(list);
     facts << group;
   };
   std::vector<std::pair<std::string, std::string>> run = {
-      {"part",
+      {say("part"),
        result.part == result.assignment ? result.part : result.assignment + " / " + result.part},
-      {"outcome", std::string(name(result.outcome))}};
+      {say("outcome"), std::string(name(result.outcome))}};
   if (audience.instructor) {
-    run.emplace_back("seed", std::to_string(result.seed));
-    if (!result.quality.empty()) run.emplace_back("quality", result.quality);
+    run.emplace_back(say("seed"), std::to_string(result.seed));
+    if (!result.quality.empty()) run.emplace_back(say("quality"), result.quality);
   }
-  run.emplace_back("sandbox", result.sandbox);
+  run.emplace_back(say("sandbox"), result.sandbox);
   std::vector<std::pair<std::string, std::string>> times, tolerances;
   for (const Timing& timing : result.timings)
     times.emplace_back(timing.what, number(timing.seconds, 3) + " s");
   for (const auto& [key, value] : result.thresholds) tolerances.emplace_back(key, number(value, 5));
-  add("Run", run);
-  add("Times", times);
-  add("Tolerances", tolerances);
-  add("Rendered with", result.fingerprint);
+  add(gg::words("Run"), run);
+  add(gg::words("Times"), times);
+  add(gg::words("Tolerances"), tolerances);
+  add(gg::words("Rendered with"), result.fingerprint);
   return facts;
 }
 
@@ -161,11 +164,13 @@ std::string proofOf(const Result& result) {
       worst = std::max(worst, frame.wrongShare);
     }
   if (frames == 0) return "";
-  return fmt::format("{} item{} in {} frame{} of {} scene{}; {}.", result.items.size(),
-                     result.items.size() == 1 ? "" : "s", frames, frames == 1 ? "" : "s",
-                     result.scenes.size(), result.scenes.size() == 1 ? "" : "s",
-                     worst <= 0 ? "no pixel differs"
-                                : "at most " + percent(worst) + " of a frame's pixels differ");
+  const std::size_t count = result.items.size(), sceneCount = result.scenes.size();
+  const std::string items = count == 1 ? say("1 item") : say("{} items", count);
+  const std::string drawn = frames == 1 ? say("1 frame") : say("{} frames", frames);
+  const std::string scenes = sceneCount == 1 ? say("1 scene") : say("{} scenes", sceneCount);
+  return worst <= 0 ? say("{} in {} of {}; no pixel differs.", items, drawn, scenes)
+                    : say("{} in {} of {}; at most {} of a frame's pixels differ.", items, drawn,
+                          scenes, percent(worst));
 }
 
 void setVerdict(Data& data, const Result& result, const Audience& audience) {
@@ -178,12 +183,12 @@ void setVerdict(Data& data, const Result& result, const Audience& audience) {
   data["perfect"] = Data(summary.perfect);
   data["outcome"] = Data(std::string(name(result.outcome)));
   data["scoreText"] = Data(hasScore ? score : "–");
-  data["ofText"] = hasScore ? Data("of " + most) : Data(false);
-  data["scoreLabel"] = Data(hasScore ? fmt::format("Score {} of {}", score, most) : "No score");
+  data["ofText"] = hasScore ? Data(say("of {}", most)) : Data(false);
+  data["scoreLabel"] = Data(hasScore ? say("Score {} of {}", score, most) : say("No score"));
   data["arc"] = hasScore && share > 0 ? Data(number(share * 100, 1)) : Data(false);
   data["bonus"] = result.bonus > 0 ? Data(number(result.bonus)) : Data(false);
   data["eyebrow"] = line(result.title.empty() ? result.part : result.title);
-  data["submission"] = line(result.submission.empty() ? "(no name)" : result.submission);
+  data["submission"] = line(result.submission.empty() ? say("(no name)") : result.submission);
   data["headline"] = Data(summary.headline);
   data["detail"] =
       sanitizeLine(result.detail) == summary.headline ? Data(false) : text(result.detail);
@@ -210,10 +215,11 @@ std::string page(const Result& result, const Pictures& pictures, const Audience&
   data["compiler"] = optional(compilerHtml(result.compilerOutput));
   data["hasItems"] = Data(!result.items.empty());
   const bool noneJudged = std::ranges::none_of(result.items, &Item::judged);
-  data["unjudgedNote"] = noneJudged
-                             ? Data(fmt::format("{} item{} not judged.", result.items.size(),
-                                                result.items.size() == 1 ? " was" : "s were"))
-                             : Data(false);
+  data["unjudgedNote"] =
+      noneJudged
+          ? Data(result.items.size() == 1 ? say("1 item was not judged.")
+                                          : say("{} items were not judged.", result.items.size()))
+          : Data(false);
   data["items"] = std::move(items);
   data["hasScenes"] = Data(!result.scenes.empty() || scenesLeftOut);
   data["scenes"] = std::move(scenes);
@@ -223,11 +229,15 @@ std::string page(const Result& result, const Pictures& pictures, const Audience&
   data["facts"] = factsOf(result, audience);
   data["footer"] =
       Data(audience.instructor
-               ? "The instructor's page: it shows hidden scenes. Hand back student.html instead."
-               : "Positions count pixels from the top left corner.");
+               ? say("The instructor's page: it shows hidden scenes. Hand back student.html "
+                     "instead.")
+               : say("Positions count pixels from the top left corner."));
   const std::string score = result.outcome == Outcome::notGradable
-                                ? "no score"
+                                ? say("no score")
                                 : number(result.score) + "/" + number(result.maxScore);
+  data["lang"] = Data(std::string(gg::name(gg::language())));
+  data["say"] = Data(kainjow::mustache::lambda(
+      [](const std::string& english) { return std::string(gg::words(english)); }));
   return renderPage(templates::k_result_mustache, std::move(data),
                     fmt::format("{} · {} · {}", score, sanitizeLine(result.submission),
                                 sanitizeLine(result.part)));

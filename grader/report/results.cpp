@@ -1,5 +1,7 @@
 #include "report/results.hpp"
 
+#include "words/words.hpp"
+
 namespace ggrade::report {
 namespace {
 
@@ -60,25 +62,26 @@ std::optional<ItemKind> parseItemKind(std::string_view word) {
 std::string_view explanation(Outcome outcome) {
   switch (outcome) {
   case Outcome::graded:
-    return "Every scene was drawn and judged.";
+    return gg::words("Every scene was drawn and judged.");
   case Outcome::buildFailed:
-    return "The program did not compile, so nothing was drawn.";
+    return gg::words("The program did not compile, so nothing was drawn.");
   case Outcome::shaderError:
-    return "A shader did not compile or link, so its picture is missing.";
+    return gg::words("A shader did not compile or link, so its picture is missing.");
   case Outcome::glError:
-    return "Frames came and were scored, but OpenGL reported errors.";
+    return gg::words("Frames came and were scored, but OpenGL reported errors.");
   case Outcome::noFrame:
-    return "The program drew no frame: glfwSwapBuffers was never reached.";
+    return gg::words("The program drew no frame: glfwSwapBuffers was never reached.");
   case Outcome::timeout:
-    return "The program was stopped at its time limit.";
+    return gg::words("The program was stopped at its time limit.");
   case Outcome::crash:
-    return "The program crashed.";
+    return gg::words("The program crashed.");
   case Outcome::outOfMemory:
-    return "The program was stopped at its memory limit.";
+    return gg::words("The program was stopped at its memory limit.");
   case Outcome::badOutput:
-    return "The frames that came out cannot be used.";
+    return gg::words("The frames that came out cannot be used.");
   case Outcome::notGradable:
-    return "The grader failed, not the submission: no score is given and no attempt is lost.";
+    return gg::words(
+        "The grader failed, not the submission: no score is given and no attempt is lost.");
   }
   return "";
 }

@@ -2,12 +2,16 @@
 
 #include "report/summary.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace ggrade::report {
+
+using gg::say;
+
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -20,22 +24,22 @@ Json value(double number) {
 
 std::string title(const Item& item) {
   const std::string plain = sanitizeLine(item.title);
-  if (item.kind == ItemKind::bonus) return "Bonus: " + plain;
+  if (item.kind == ItemKind::bonus) return say("Bonus: {}", plain);
   if (item.kind == ItemKind::keep)
-    return fmt::format("{} (takes away up to {})", plain, number(item.points));
+    return say("{} (takes away up to {})", plain, number(item.points));
   return plain;
 }
 
 std::string outputOf(const Item& item) {
   std::string text;
-  const auto add = [&](std::string_view label, const std::string& part) {
-    if (!part.empty()) text += fmt::format("{}{}\n", label, sanitizeLine(part));
+  const auto add = [&](const std::string& part) {
+    if (!part.empty()) text += part + '\n';
   };
-  add("", item.judged ? item.message : "Not judged.");
-  add("", carriedText(item));
-  add("Where: ", item.where);
-  add("Likely cause: ", item.cause);
-  add("Read again: ", item.step);
+  add(item.judged ? sanitizeLine(item.message) : say("Not judged."));
+  add(carriedText(item));
+  if (!item.where.empty()) add(say("Where: {}", sanitizeLine(item.where)));
+  if (!item.cause.empty()) add(say("Likely cause: {}", sanitizeLine(item.cause)));
+  if (!item.step.empty()) add(say("Read again: {}", sanitizeLine(item.step)));
   return text;
 }
 
@@ -60,15 +64,16 @@ std::string summary(const Result& view) {
   std::string text = headline(view) + "\n";
   if (!view.detail.empty()) text += sanitize(view.detail) + "\n";
   for (const Diagnosis& diagnosis : view.diagnoses) {
-    text += "\nDiagnosis: " + sanitizeLine(diagnosis.text, 800) + "\n";
+    text += '\n' + say("Diagnosis: {}", sanitizeLine(diagnosis.text, 800)) + '\n';
     if (const std::string seen = whatIsWrong(diagnosis); !seen.empty())
-      text += "First wrong: " + seen + "\n";
-    if (!diagnosis.step.empty()) text += "Read again: " + sanitizeLine(diagnosis.step) + "\n";
+      text += say("First wrong: {}", seen) + '\n';
+    if (!diagnosis.step.empty()) text += say("Read again: {}", sanitizeLine(diagnosis.step)) + '\n';
     for (const std::string& line : diagnosis.beside) text += sanitizeLine(line) + "\n";
   }
-  for (const std::string& file : view.unusedFiles) text += "Not used: " + sanitizeLine(file) + "\n";
+  for (const std::string& file : view.unusedFiles)
+    text += say("Not used: {}", sanitizeLine(file)) + '\n';
   if (!view.compilerOutput.empty())
-    text += "\nCompiler:\n" + capped(sanitize(view.compilerOutput), kCompilerBytes);
+    text += '\n' + say("Compiler:") + '\n' + capped(sanitize(view.compilerOutput), kCompilerBytes);
   return text;
 }
 

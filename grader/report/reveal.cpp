@@ -1,5 +1,7 @@
 #include "report/reveal.hpp"
 
+#include "words/words.hpp"
+
 #include <algorithm>
 
 namespace ggrade::report {
@@ -106,7 +108,7 @@ bool namesHiddenScene(const Result& result, std::string_view text) {
 std::string shownDetail(const Result& result, Reveal reveal) {
   if (reveal == Reveal::details) return result.detail;
   const bool named = reveal == Reveal::none && namesHiddenScene(result, result.detail);
-  if (named || !detailIsPublic(result)) return "This happened in a hidden scene.";
+  if (named || !detailIsPublic(result)) return gg::say("This happened in a hidden scene.");
   return withholdPositions(result.detail);
 }
 
@@ -136,7 +138,7 @@ std::string withholdPositions(std::string_view message) {
   for (std::size_t i = 0; i < message.size();) {
     const std::size_t end = tupleEnd(message, i);
     if (end > i) {
-      out += "(position withheld)";
+      out += gg::words("(position withheld)");
       i = end;
     } else {
       out += message[i++];

@@ -3,6 +3,7 @@
 #include "report/picture.hpp"
 #include "report/summary.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +12,13 @@
 #include <future>
 
 namespace ggrade::report {
+
+using gg::say;
+
 namespace {
 
 std::string percentWrong(double share) {
-  return share <= 0 ? "no pixel differs" : percent(share) + " of the pixels differ";
+  return share <= 0 ? say("no pixel differs") : say("{} of the pixels differ", percent(share));
 }
 
 struct Loss {
@@ -37,16 +41,43 @@ struct SceneLook {
   std::string word;
 };
 
+std::string wordsOf(const std::string& outcome) {
+  switch (parseOutcome(outcome).value_or(Outcome::graded)) {
+  case Outcome::graded:
+    break;
+  case Outcome::buildFailed:
+    return say("build failed");
+  case Outcome::shaderError:
+    return say("shader error");
+  case Outcome::glError:
+    return say("gl error");
+  case Outcome::noFrame:
+    return say("no frame");
+  case Outcome::timeout:
+    return say("timeout");
+  case Outcome::crash:
+    return say("crash");
+  case Outcome::outOfMemory:
+    return say("out of memory");
+  case Outcome::badOutput:
+    return say("bad output");
+  case Outcome::notGradable:
+    return say("not gradable");
+  }
+  return words(outcome);
+}
+
 // A scene stands as its worst item does; without credits the outcome decides.
 SceneLook lookOf(const Scene& scene, const std::vector<Loss>& losses) {
   const bool glError = scene.outcome == name(Outcome::glError);
-  if (scene.outcome != name(Outcome::graded) && !glError) return {"none", words(scene.outcome)};
+  if (scene.outcome != name(Outcome::graded) && !glError) return {"none", wordsOf(scene.outcome)};
   if (losses.empty())
-    return glError ? SceneLook{"part", words(scene.outcome)} : SceneLook{"full", "all right"};
+    return glError ? SceneLook{"part", wordsOf(scene.outcome)}
+                   : SceneLook{"full", say("all right")};
   const double least = std::ranges::min_element(losses, {}, &Loss::credit)->credit;
-  if (glError) return {creditState(least), words(scene.outcome)};
-  return {creditState(least),
-          fmt::format("{} item{} lost points", losses.size(), losses.size() == 1 ? "" : "s")};
+  if (glError) return {creditState(least), wordsOf(scene.outcome)};
+  return {creditState(least), losses.size() == 1 ? say("1 item lost points")
+                                                 : say("{} items lost points", losses.size())};
 }
 
 Data lossData(const Result& result, const std::vector<Loss>& losses) {
@@ -87,35 +118,34 @@ bool comparable(const Frame& frame) {
 
 Data frameOf(const Scene& scene, const Frame& frame, const FramePictures& uris,
              const Audience& audience) {
-  const std::string moment =
-      fmt::format("{} at {} s", sanitizeLine(scene.name), number(frame.time, 3));
+  const std::string moment = say("{} at {} s", sanitizeLine(scene.name), number(frame.time, 3));
   const std::string wrong = percentWrong(frame.wrongShare);
-  const std::string mine = audience.instructor ? "Submission" : "Yours";
+  const std::string mine = audience.instructor ? say("Submission") : say("Yours");
   const bool none = frame.student.empty();
   Data data, pictures = makeList();
   pictures << pictureOf(frame.student, uris[0], "student", mine,
-                        fmt::format("{}, {}: {}.", mine, moment, wrong), "no frame came");
-  pictures << pictureOf(frame.reference, uris[1], "reference", "Reference",
-                        fmt::format("Reference, {}.", moment), "no reference");
-  pictures << pictureOf(frame.difference, uris[2], "difference", "Difference",
-                        fmt::format("Difference, {}: bright where the pictures differ.", moment),
-                        none ? "nothing to compare" : "not compared");
+                        say("{}, {}: {}.", mine, moment, wrong), say("no frame came"));
+  pictures << pictureOf(frame.reference, uris[1], "reference", say("Reference"),
+                        say("Reference, {}.", moment), say("no reference"));
+  pictures << pictureOf(frame.difference, uris[2], "difference", say("Difference"),
+                        say("Difference, {}: bright where the pictures differ.", moment),
+                        none ? say("nothing to compare") : say("not compared"));
   if (!std::isnan(frame.flip))
     pictures << pictureOf(frame.flipPicture, uris[3], "flip",
                           fmt::format("FLIP {}", number(frame.flip, 4)),
-                          fmt::format("FLIP, {}: bright where a person flipping between the "
-                                      "pictures sees a change.",
-                                      moment),
-                          "not compared");
+                          say("FLIP, {}: bright where a person flipping between the pictures sees "
+                              "a change.",
+                              moment),
+                          say("not compared"));
   if (!frame.unsteadyPicture.empty())
     pictures << pictureOf(frame.unsteadyPicture, uris[4], "unsteady",
-                          percent(frame.unsteadyShare) + " unsteady",
-                          fmt::format("Between two runs, {}: bright where the same program drew "
-                                      "something else when it ran again.",
-                                      moment),
+                          say("{} unsteady", percent(frame.unsteadyShare)),
+                          say("Between two runs, {}: bright where the same program drew something "
+                              "else when it ran again.",
+                              moment),
                           "");
   data["caption"] =
-      Data(fmt::format("t = {} s, {}", number(frame.time, 3), none ? "no frame came" : wrong));
+      Data(say("t = {} s, {}", number(frame.time, 3), none ? say("no frame came") : wrong));
   data["pictures"] = std::move(pictures);
   return data;
 }
@@ -172,9 +202,10 @@ Data sceneOf(const Result& result, std::size_t index, const Pictures& pictures,
   const bool shown = !scene.frames.empty();
   const bool withheld = !audience.instructor && !scene.isPublic && !shown;
   data["anchor"] = Data(fmt::format("scene-{}", index));
-  data["scene"] = line(scene.name.empty() ? "(no name)" : scene.name);
-  const std::string publicWord = scene.isPublic ? "public" : "hidden";
-  data["publicWord"] = scene.name == publicWord ? Data(false) : Data(publicWord);
+  data["scene"] = line(scene.name.empty() ? say("(no name)") : scene.name);
+  data["publicWord"] = scene.name == (scene.isPublic ? "public" : "hidden")
+                           ? Data(false)
+                           : Data(scene.isPublic ? say("public") : say("hidden"));
   data["state"] = Data(std::string(look.state));
   data["outcome"] = line(look.word);
   data["open"] = Data(open);
@@ -182,10 +213,11 @@ Data sceneOf(const Result& result, std::size_t index, const Pictures& pictures,
       std::ranges::any_of(scene.frames, [](const Frame& f) { return !f.student.empty(); });
   data["wrong"] = !shown  ? Data(false)
                   : drawn ? Data(percentWrong(scene.frames[worst].wrongShare))
-                          : Data("no frame came");
+                          : Data(say("no frame came"));
   data["seconds"] = scene.seconds > 0 ? Data(number(scene.seconds) + " s") : Data(false);
   data["detail"] = text(scene.detail);
-  data["withheld"] = withheld ? Data("The pictures of this scene are not shown.") : Data(false);
+  data["withheld"] =
+      withheld ? Data(say("The pictures of this scene are not shown.")) : Data(false);
   data["hasChoice"] = Data(scene.frames.size() > 1);
   data["choices"] = choicesOf(scene, index, worst);
   data["frames"] = std::move(frames);

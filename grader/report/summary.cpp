@@ -2,11 +2,15 @@
 
 #include "report/picture.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace ggrade::report {
+
+using gg::say;
+
 namespace {
 
 constexpr double kEpsilon = 1e-6; // points are at most hundreds; less is rounding
@@ -42,33 +46,33 @@ bool perfect(const Result& result) {
 
 std::string headline(const Result& result) {
   if (result.outcome != Outcome::graded) return std::string(explanation(result.outcome));
-  if (perfect(result)) return "Complete: every item holds.";
+  if (perfect(result)) return say("Complete: every item holds.");
   const auto total = std::count_if(result.items.begin(), result.items.end(), countsForScore);
   const auto incomplete =
       std::count_if(result.items.begin(), result.items.end(), [](const Item& i) {
         return countsForScore(i) && standing(i) != Standing::full;
       });
   if (total == 0) return std::string(explanation(result.outcome));
-  if (result.score <= 0) return "It runs and draws, but no item has earned points yet.";
-  return fmt::format("{} of {} items lost points.", incomplete, total);
+  if (result.score <= 0) return say("It runs and draws, but no item has earned points yet.");
+  return say("{} of {} items lost points.", incomplete, total);
 }
 
 std::string carriedText(const Item& item) {
-  std::string list;
-  for (std::size_t i = 0; i < item.carried.size(); ++i)
-    list += (i == 0                        ? ""
-             : i + 1 < item.carried.size() ? ", "
-                                           : " and ") +
-            sanitizeLine(item.carried[i]);
-  return list.empty() ? "" : fmt::format("Judged with the reference's {} in place of yours.", list);
+  if (item.carried.empty()) return "";
+  std::string list = sanitizeLine(item.carried[0]);
+  for (std::size_t i = 1; i < item.carried.size(); ++i) {
+    const std::string next = sanitizeLine(item.carried[i]);
+    list = i + 1 < item.carried.size() ? say("{}, {}", list, next) : say("{} and {}", list, next);
+  }
+  return say("Judged with the reference's {} in place of yours.", list);
 }
 
 std::string whatIsWrong(const Diagnosis& diagnosis) {
   std::string text = sanitizeLine(diagnosis.picture);
   if (text.empty()) return text;
-  if (!diagnosis.amount.empty()) text += ": " + sanitizeLine(diagnosis.amount);
-  if (!diagnosis.place.empty()) text += ", " + sanitizeLine(diagnosis.place);
-  if (!diagnosis.scene.empty()) text += fmt::format(" (scene {})", sanitizeLine(diagnosis.scene));
+  if (!diagnosis.amount.empty()) text = say("{}: {}", text, sanitizeLine(diagnosis.amount));
+  if (!diagnosis.place.empty()) text = say("{}, {}", text, sanitizeLine(diagnosis.place));
+  if (!diagnosis.scene.empty()) text += say(" (scene {})", sanitizeLine(diagnosis.scene));
   return text;
 }
 
@@ -151,10 +155,10 @@ std::string_view stateOf(const Summary& summary) {
 }
 
 std::string pointsText(const Item& item) {
-  if (!item.judged) return "not judged";
+  if (!item.judged) return say("not judged");
   switch (item.kind) {
   case ItemKind::keep:
-    return lost(item) <= kEpsilon ? "kept" : "−" + number(lost(item));
+    return lost(item) <= kEpsilon ? say("kept") : "−" + number(lost(item));
   case ItemKind::bonus:
     return fmt::format("+{} / {}", number(item.earned), number(item.points));
   case ItemKind::gain:

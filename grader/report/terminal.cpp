@@ -2,11 +2,17 @@
 
 #include "report/summary.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
+#include <vector>
 
 namespace ggrade::report {
+
+using gg::say;
+
 namespace {
 
 constexpr std::string_view kBold = "\x1B[1m", kDim = "\x1B[2m", kGreen = "\x1B[32m",
@@ -40,6 +46,49 @@ std::string fit(const std::string& text, std::size_t width) {
   return cut + "…" + std::string(width - 1 - columns, ' ');
 }
 
+bool isWide(std::string_view letter) {
+  return displayWidth(letter) == 2;
+}
+
+// Where a line may end besides at spaces, which Japanese has none of: at wide characters, but not
+// before those that begin no line, or after those that end none.
+bool mayBreak(std::string_view before, std::string_view after) {
+  constexpr std::string_view kNeverFirst =
+      "、。，．：？！）」』】ーぁぃぅぇぉっゃゅょァィゥェォッャュョ";
+  constexpr std::string_view kNeverLast = "(（「『【";
+  if (!before.empty() && kNeverLast.find(before) != kNeverLast.npos) return false;
+  if (isWide(after)) return kNeverFirst.find(after) == kNeverFirst.npos;
+  return isWide(before) && std::isalnum(static_cast<unsigned char>(after[0])) != 0;
+}
+
+struct Piece {
+  std::string text;
+  bool afterSpace = false;
+};
+
+std::vector<Piece> piecesOf(const std::string& text) {
+  std::vector<Piece> pieces;
+  bool space = true;
+  std::string last;
+  for (std::size_t i = 0; i < text.size();) {
+    std::size_t end = i + 1;
+    while (end < text.size() && (text[end] & 0xC0) == 0x80) ++end;
+    const std::string letter = text.substr(i, end - i);
+    i = end;
+    if (letter == " ") {
+      space = true;
+      continue;
+    }
+    if (space || mayBreak(last, letter))
+      pieces.push_back({letter, space && !pieces.empty()});
+    else
+      pieces.back().text += letter;
+    space = false;
+    last = letter;
+  }
+  return pieces;
+}
+
 // Words of `text` in lines of at most `width` columns, each after `indent` spaces. A word that is
 // too long stands on a line of its own.
 std::string wrap(const std::string& text, std::size_t indent, std::size_t width) {
@@ -48,12 +97,11 @@ std::string wrap(const std::string& text, std::size_t indent, std::size_t width)
     if (!line.empty()) out += std::string(indent, ' ') + line + "\n";
     line.clear();
   };
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find(' ', at), text.size());
-    const std::string word = text.substr(at, end - at);
-    if (!line.empty() && indent + displayWidth(line) + 1 + displayWidth(word) > width) flush();
-    line += (line.empty() ? "" : " ") + word;
-    at = end + 1;
+  for (const Piece& piece : piecesOf(text)) {
+    const std::size_t gap = piece.afterSpace ? 1 : 0;
+    if (!line.empty() && indent + displayWidth(line) + gap + displayWidth(piece.text) > width)
+      flush();
+    line += (line.empty() || !piece.afterSpace ? "" : " ") + piece.text;
   }
   flush();
   return out;
@@ -79,9 +127,9 @@ Mark markOf(const Item& item) {
 }
 
 std::string scoreText(const Summary& result) {
-  if (result.outcome == Outcome::notGradable) return "no score";
+  if (result.outcome == Outcome::notGradable) return say("no score");
   std::string text = fmt::format("{} / {}", number(result.score), number(result.maxScore));
-  if (result.bonus > 0) text += fmt::format(" + {} bonus", number(result.bonus));
+  if (result.bonus > 0) text += say(" + {} bonus", number(result.bonus));
   return text;
 }
 
@@ -93,8 +141,8 @@ std::string_view scoreColour(const Summary& result) {
 std::string itemLines(const Item& item, const TerminalStyle& style, std::size_t width) {
   const Mark mark = markOf(item);
   std::string title = sanitizeLine(item.title);
-  if (item.kind == ItemKind::bonus) title = "Bonus: " + title;
-  if (item.beyondLecture) title += " (beyond the lecture)";
+  if (item.kind == ItemKind::bonus) title = say("Bonus: {}", title);
+  if (item.beyondLecture) title += say(" (beyond the lecture)");
   std::string text = fmt::format("{} {}  {}\n", paint(style, mark.colour, mark.sign),
                                  padLeft(pointsText(item), 12), fit(title, width - 16));
   while (text.size() > 1 && text[text.size() - 2] == ' ') text.erase(text.size() - 2, 1);
@@ -102,27 +150,30 @@ std::string itemLines(const Item& item, const TerminalStyle& style, std::size_t 
   text += wrap(carriedText(item), kIndent, width);
   if (standing(item) == Standing::full || !item.judged) return text;
   text += wrap(sanitizeLine(item.message), kIndent, width);
-  if (!item.where.empty()) text += wrap("where: " + sanitizeLine(item.where), kIndent, width);
-  if (!item.cause.empty()) text += wrap("likely: " + sanitizeLine(item.cause), kIndent, width);
-  if (!item.step.empty()) text += wrap("read again: " + sanitizeLine(item.step), kIndent, width);
+  if (!item.where.empty()) text += wrap(say("where: {}", sanitizeLine(item.where)), kIndent, width);
+  if (!item.cause.empty())
+    text += wrap(say("likely: {}", sanitizeLine(item.cause)), kIndent, width);
+  if (!item.step.empty())
+    text += wrap(say("read again: {}", sanitizeLine(item.step)), kIndent, width);
   return text;
 }
 
 std::string diagnosisLines(const Diagnosis& diagnosis, std::size_t width) {
   std::string text = wrap(sanitizeLine(diagnosis.text, 800), 2, width);
   if (const std::string seen = whatIsWrong(diagnosis); !seen.empty())
-    text += wrap("first wrong: " + seen, 2, width);
+    text += wrap(say("first wrong: {}", seen), 2, width);
   if (!diagnosis.step.empty())
-    text += wrap("read again: " + sanitizeLine(diagnosis.step), 2, width);
+    text += wrap(say("read again: {}", sanitizeLine(diagnosis.step)), 2, width);
   for (const std::string& line : diagnosis.beside) text += wrap(sanitizeLine(line), 2, width);
   return text;
 }
 
 std::string diagnosisHeading(const Result& result, const Diagnosis& diagnosis) {
-  std::string text = "Diagnosis";
-  if (result.diagnoses.size() > 1) text += " of " + sanitizeLine(diagnosis.part);
+  std::string text = result.diagnoses.size() > 1
+                         ? say("Diagnosis of {}", sanitizeLine(diagnosis.part))
+                         : say("Diagnosis");
   if (diagnosis.confidence > 0)
-    text += fmt::format(" (confidence {}%)", number(diagnosis.confidence * 100, 0));
+    text += say(" (confidence {}%)", number(diagnosis.confidence * 100, 0));
   return text;
 }
 
@@ -137,14 +188,14 @@ std::string terminalTable(const Result& result, const TerminalStyle& style) {
   text += wrap(fmt::format("{}: {}", name(result.outcome), headline(result)), 0, width);
   text += wrap(sanitizeLine(result.detail), 0, width);
   if (result.sandbox == "none")
-    text += paint(style, kYellow, "The program ran without a sandbox.") + "\n";
+    text += paint(style, kYellow, say("The program ran without a sandbox.")) + "\n";
   for (const Diagnosis& diagnosis : result.diagnoses)
     text += paint(style, kBold, diagnosisHeading(result, diagnosis)) + "\n" +
             diagnosisLines(diagnosis, width);
   text += "\n";
   for (const Item& item : result.items) text += itemLines(item, style, width);
   for (const std::string& file : result.unusedFiles)
-    text += wrap("not used: " + sanitizeLine(file), 0, width);
+    text += wrap(say("not used: {}", sanitizeLine(file)), 0, width);
   return text;
 }
 

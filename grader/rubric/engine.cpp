@@ -1,6 +1,7 @@
 #include "rubric/rubric.hpp"
 
 #include "image/memory.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -150,12 +151,12 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
     if (scene.student.size() < scene.frameCount) {
       // What never came harmed nothing; the gains are lost already.
       if (item.kind == report::ItemKind::keep) continue;
-      message = fmt::format("{} of {} frames came", scene.student.size(), scene.frameCount);
+      message = gg::say("{} of {} frames came", scene.student.size(), scene.frameCount);
     } else if (const auto odd = std::mismatch(scene.reference.begin(), scene.reference.end(),
                                               scene.student.begin(), sameSize);
                odd.first != scene.reference.end()) {
-      message = fmt::format("the window is {} instead of {}", odd.second->sizeText(),
-                            odd.first->sizeText());
+      message =
+          gg::say("the window is {} instead of {}", odd.second->sizeText(), odd.first->sizeText());
     } else {
       const Verdict verdict =
           checked(judge, {scene, scene.student, scene.studentTrace, baseOf(scene, evidence)});
@@ -177,7 +178,7 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
     decision.credit = std::min(decision.credit, credit);
   }
   if (!any && item.kind == report::ItemKind::keep) {
-    decision.message = "no scene has all its frames";
+    decision.message = gg::say("no scene has all its frames");
   } else if (!any && !evidence.again.empty()) {
     decision.credit = 0; // the first frames alone may not show it
   } else if (!any) {

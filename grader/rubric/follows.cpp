@@ -1,11 +1,13 @@
 #include "rubric/follows.hpp"
 
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace ggrade::rubric {
+
+using gg::say;
 
 namespace {
 
@@ -32,26 +34,27 @@ struct Pair {
   std::size_t pixels() const { return before.count() + after.count(); }
 };
 
-Verdict responds(const Pair& student, const Pair& reference, const std::string& when,
-                 const std::string& what) {
+/// `passes`: time did. A changed scene's name says what was changed, and stands before the message.
+Verdict responds(const Pair& student, const Pair& reference, bool passes, const std::string& what) {
   const double expected = change(reference.before, reference.after);
-  if (expected < kVisibleChange) return {1, "the change is too small to see"};
+  if (expected < kVisibleChange) return {1, say("the change is too small to see")};
   const double found = change(student.before, student.after);
   const double share = found / expected;
   return {std::clamp((share - kNoise) / (kAChange - kNoise), 0.0, 1.0),
-          fmt::format("{}{:.0f}% of the {} changed place, {:.0f}% in the reference", when,
-                      100 * found, what, 100 * expected)};
+          passes ? say("time passed: {:.0f}% of the {} changed place, {:.0f}% in the reference",
+                       100 * found, what, 100 * expected)
+                 : say("{:.0f}% of the {} changed place, {:.0f}% in the reference", 100 * found,
+                       what, 100 * expected)};
 }
 
 Verdict stays(const Pair& student, const Pair& reference, const Image& before, const Image& after,
               const std::string& what) {
   const double expected = change(reference.before, reference.after);
   const double found = change(student.before, student.after);
-  return {
-      1 - std::clamp((found - expected - 0.1) / 0.3, 0.0, 1.0),
-      fmt::format("the window became {} instead of {}: {:.0f}% of the {} changed place, {:.0f}% "
-                  "in the reference",
-                  after.sizeText(), before.sizeText(), 100 * found, what, 100 * expected)};
+  return {1 - std::clamp((found - expected - 0.1) / 0.3, 0.0, 1.0),
+          say("the window became {} instead of {}: {:.0f}% of the {} changed place, {:.0f}% in the "
+              "reference",
+              after.sizeText(), before.sizeText(), 100 * found, what, 100 * expected)};
 }
 
 } // namespace
@@ -76,7 +79,7 @@ Verdict follows(const View& view, const Effect& effect, const std::string& what)
   const SceneEvidence& scene = view.scene;
   const View reference{scene, scene.reference, scene.referenceTrace};
   const bool passes = scene.like.empty();
-  if (passes ? view.frames.size() < 2 : !view.base) return {1, "nothing to compare with"};
+  if (passes ? view.frames.size() < 2 : !view.base) return {1, say("nothing to compare with")};
 
   Pair wanted, found;
   wanted.after = effect(reference, passes ? 1 : 0);
@@ -99,10 +102,9 @@ Verdict follows(const View& view, const Effect& effect, const std::string& what)
       pair->after = pair->after & seen;
     }
   if (double(found.pixels()) < kThere * double(wanted.pixels()))
-    return {1, fmt::format("there is no {} that could follow", what)};
+    return {1, say("there is no {} that could follow", what)};
   if (resized) return stays(found, wanted, before, after, what);
-  // A changed scene's name says what was changed, and stands before the message.
-  return responds(found, wanted, passes ? "time passed: " : "", what);
+  return responds(found, wanted, passes, what);
 }
 
 } // namespace ggrade::rubric

@@ -1,6 +1,6 @@
 #include "rubric/measures.hpp"
 
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 
@@ -28,8 +28,7 @@ Agreement agreement(const Mask& wanted, const Mask& found, int reach) {
 
 std::string densestAt(const Window& window) {
   if (window.pixels == 0) return "";
-  return fmt::format(", densest at ({},{})", window.x + window.width / 2,
-                     window.y + window.height / 2);
+  return gg::say(", densest at ({},{})", window.x + window.width / 2, window.y + window.height / 2);
 }
 
 Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what) {
@@ -38,9 +37,8 @@ Verdict within(const View& view, std::size_t frame, const Mask& region, const st
   const Comparison comparison =
       compare(view.frames.at(frame), view.scene.reference.at(frame), options);
   const double quality = qualityOf(comparison.wrongShare, kNothingLeft);
-  return {quality,
-          fmt::format("{}: {:.1f}% of {} pixels differ{}", what, 100 * comparison.wrongShare,
-                      comparison.judgedPixels, densestAt(comparison.densest))};
+  return {quality, gg::say("{}: {:.1f}% of {} pixels differ{}", what, 100 * comparison.wrongShare,
+                           comparison.judgedPixels, densestAt(comparison.densest))};
 }
 
 bool frozen(const View& view) {

@@ -1,5 +1,7 @@
 #include "supervisor.hpp"
 
+#include "words/words.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -12,6 +14,9 @@
 #include <sys/wait.h>
 
 namespace ggrade::sandbox {
+
+using gg::say;
+
 namespace {
 using namespace std::chrono_literals;
 
@@ -63,7 +68,7 @@ std::string firstLines(const std::string& text) {
 
 std::string describeSignal(int number) {
   const char* name = sigabbrev_np(number);
-  return "signal " + std::to_string(number) + (name ? std::string(" (SIG") + name + ")" : "");
+  return name ? say("signal {} (SIG{})", number, name) : say("signal {}", number);
 }
 
 /// A descriptor that becomes readable when the process ends.
@@ -165,7 +170,7 @@ void Supervisor::checkLimits(const std::atomic<bool>* cancel) {
   const double wall = secondsSince(started_);
   if (wall > limits_.wallSeconds)
     return stop(End::timeLimit,
-                "wall time: " + seconds(wall) + ", limit " + seconds(limits_.wallSeconds));
+                say("wall time: {}, limit {}", seconds(wall), seconds(limits_.wallSeconds)));
   if (inNamespace_ && !measurable_) measurable_ = tree_.openNamespace(initPid_, writableFolders_);
   // A command that is over already cannot be measured either, so there is a moment of grace.
   if (inNamespace_ && !measurable_ && wall > 1)
@@ -177,13 +182,13 @@ void Supervisor::checkLimits(const std::atomic<bool>* cancel) {
   result_.peakMemoryBytes = std::max(result_.peakMemoryBytes, last_.memoryBytes);
   result_.cpuSeconds = std::max(result_.cpuSeconds, last_.cpuSeconds);
   if (last_.memoryBytes > limits_.memoryBytes)
-    return stop(End::memoryLimit, "memory: " + megabytes(last_.memoryBytes) + " in " +
-                                      std::to_string(last_.processes) + " processes, limit " +
-                                      megabytes(limits_.memoryBytes));
+    return stop(End::memoryLimit,
+                say("memory: {} in {} processes, limit {}", megabytes(last_.memoryBytes),
+                    last_.processes, megabytes(limits_.memoryBytes)));
   if (last_.cpuSeconds > limits_.cpuSeconds)
-    stop(End::timeLimit, "processor time: " + seconds(last_.cpuSeconds) + " in " +
-                             std::to_string(last_.processes) + " processes, limit " +
-                             seconds(limits_.cpuSeconds));
+    stop(End::timeLimit,
+         say("processor time: {} in {} processes, limit {}", seconds(last_.cpuSeconds),
+             last_.processes, seconds(limits_.cpuSeconds)));
 }
 
 void Supervisor::stop(End end, std::string detail) {
@@ -244,10 +249,11 @@ void Supervisor::conclude() {
       result_.wallSeconds = report.wallSeconds;
       result_.detail = describeSignal(report.value);
       if (report.value == SIGXFSZ)
-        result_.detail += ": a file beyond " + megabytes(limits_.fileBytes);
+        result_.detail = say("{}: a file beyond {}", result_.detail, megabytes(limits_.fileBytes));
       if (report.value == SIGXCPU) {
         result_.end = End::timeLimit;
-        result_.detail = "processor time of one process: limit " + seconds(limits_.cpuSeconds);
+        result_.detail =
+            say("processor time of one process: limit {}", seconds(limits_.cpuSeconds));
       }
       break;
     case Kind::collected:

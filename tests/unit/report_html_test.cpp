@@ -1,3 +1,4 @@
+#include "in_japanese.hpp"
 #include "report/html.hpp"
 #include "report/picture.hpp"
 #include "report_samples.hpp"
@@ -70,6 +71,22 @@ TEST(ResultPage, SaysTheOutcomeInWordsFirst) {
   EXPECT_THAT(page, HasSubstr("data-outcome=\"no_frame\""));
   EXPECT_THAT(page, HasSubstr("no frame came"));
   EXPECT_THAT(page, HasSubstr("6 items were not judged."));
+}
+
+TEST(ResultPage, IsJapaneseForWhoReadsJapanese) {
+  const std::string english = resultPages(samples::partial(64, 48), Reveal::names).student;
+  EXPECT_THAT(english, HasSubstr("<html lang=\"en\">"));
+  const InJapanese japanese;
+  const std::string page = resultPages(samples::partial(64, 48), Reveal::names).student;
+  for (const char* text :
+       {"<html lang=\"ja\">", "<h2 id=\"items-heading\">評価項目</h2>", "採点の条件</h2>",
+        "評価項目5個のうち3個で失点しました。", "aria-label=\"100点中61.5点\"",
+        "data-columns=\"%2列のうち%1列があなたの画像\""})
+    EXPECT_THAT(page, HasSubstr(text));
+  for (const char* text : {"Items", "Likely cause", "Read again", "Reference", "pixels differ",
+                           "Zoom", "How this was graded", "{{"}) {
+    EXPECT_THAT(page.substr(page.find("<body>")), Not(HasSubstr(text)));
+  }
 }
 
 TEST(ResultPage, NamesWhatLostMostAndWhereAtTheTop) {

@@ -1,3 +1,4 @@
+#include "in_japanese.hpp"
 #include "report/summary.hpp"
 #include "report/terminal.hpp"
 #include "report/text.hpp"
@@ -81,6 +82,22 @@ TEST(Terminal, BeginsWithTheDiagnosis) {
   result.diagnoses[0].confidence = 0;
   EXPECT_THAT(terminalTable(result, {false, 100}), HasSubstr("Diagnosis\n"));
   EXPECT_NE(summarize(result).reason, "The light is not mirrored.");
+}
+
+TEST(Terminal, JapaneseLinesEndBetweenTheirLetters) {
+  const InJapanese japanese;
+  Result result = samples::crashed();
+  result.items.clear();
+  result.detail =
+      "画像は、手順1から4まで終えたプログラムのものです。glfwSwapBuffersに到達しません。"
+      "手順5で加わるものがまだ見えません。";
+  std::string joined;
+  for (const std::string& line : linesOf(terminalTable(result, {.width = 60}))) {
+    EXPECT_LE(displayWidth(line), 60u) << line;
+    EXPECT_FALSE(line.starts_with("、") || line.starts_with("。")) << line;
+    joined += line;
+  }
+  EXPECT_THAT(joined, HasSubstr(result.detail)) << "nothing is lost";
 }
 
 TEST(Summary, PerfectIgnoresTheBonusButNotKeepItems) {

@@ -22,14 +22,14 @@
     const range = viewer.querySelector("input");
     const zoom = viewer.querySelector("select");
     const probe = viewer.querySelector("output");
-    const who = viewer.dataset.who;
+    const { who, reference: referenceWord, columns } = viewer.dataset;
     let student, reference, readers, width = 1, scale = 1;
 
     // The range counts the picture's own pixels, so the divider always stands between two of them.
     const split = () => {
       over.style.clipPath = `inset(0 ${(width - range.value) * scale}px 0 0)`;
       divider.style.left = `${range.value * scale}px`;
-      range.setAttribute("aria-valuetext", `${range.value} of ${width} columns from ${who}`);
+      range.setAttribute("aria-valuetext", columns.replace("%1", range.value).replace("%2", width));
     };
     const fit = () => {
       const room = viewer.clientWidth;
@@ -71,7 +71,7 @@
       readers ??= [pixels(student), pixels(reference)];
       const [x, y] = pixelAt(event).map(Math.floor);
       if (x < 0 || y < 0 || x >= width || y >= student.naturalHeight) return;
-      probe.value = `(${x}, ${y})  ${who} ${readers[0](x, y)}  reference ${readers[1](x, y)}`;
+      probe.value = `(${x}, ${y})  ${who} ${readers[0](x, y)}  ${referenceWord} ${readers[1](x, y)}`;
     });
     stack.addEventListener("pointerleave", () => { probe.value = ""; });
     range.addEventListener("input", split);
