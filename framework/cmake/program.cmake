@@ -21,6 +21,7 @@ function(gg_program target folder id output_folder)
     file(GLOB further_files CONFIGURE_DEPENDS ${further}/*.json)
     list(APPEND files ${further_files})
   endforeach()
+  list(FILTER files EXCLUDE REGEX "/words\\.ja\\.json$") # the grader's, not the program's
   file(WRITE ${output_folder}/source_folder.txt ${folder})
   set(copies "")
   foreach(file ${files})

@@ -66,7 +66,7 @@ void addWords(const std::filesystem::path& file) {
   try {
     for (auto& [english, text] :
          nlohmann::json::parse(std::string(std::istreambuf_iterator<char>(in), {})).get<Table>())
-      table().insert_or_assign(english, text);
+      table().emplace(english, text);
   } catch (const nlohmann::json::exception& error) {
     throw std::runtime_error(file.string() + ": " + error.what());
   }

@@ -24,7 +24,8 @@ std::string_view name(Language language);
 std::optional<Language> parseLanguage(std::string_view name);
 
 /// Adds a table of further texts, such as an assignment's own; does nothing in English, or if there
-/// is no such file. Throws std::runtime_error, naming the file, if it isn't an object of texts.
+/// is no such file. A text that is known already stays as it is, so that what `words` has returned
+/// remains valid. Throws std::runtime_error, naming the file, if it isn't an object of texts.
 void addWords(const std::filesystem::path& table);
 
 /// The text in the chosen language; the English one where there is no other.

@@ -1,5 +1,7 @@
 #include "assignment/assignment.hpp"
 
+#include "words/words.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +16,13 @@ using nlohmann::json;
 
 namespace {
 
+/// What a student reads, in the language that was chosen.
+std::string inWords(const json& english) {
+  return std::string(gg::words(english.get<std::string>()));
+}
+
 Todo readTodo(const json& from) {
-  return {from.at("id"), from.at("title"), from.value("bonus", false),
+  return {from.at("id"), inWords(from.at("title")), from.value("bonus", false),
           from.value("beyond_lecture", false)};
 }
 
@@ -27,25 +34,25 @@ report::ItemKind readKind(const std::string& kind) {
 ItemDeclaration readItem(const json& from) {
   ItemDeclaration item;
   item.id = from.at("id");
-  item.title = from.at("title");
-  item.looksAt = from.at("looks_at");
+  item.title = inWords(from.at("title"));
+  item.looksAt = inWords(from.at("looks_at"));
   item.kind = readKind(from.at("kind"));
   item.points = from.at("points");
   if (!(item.points >= 0))
     throw UsageError(fmt::format("{}: points must not be negative", item.id));
-  item.cause = from.at("cause");
+  item.cause = inWords(from.at("cause"));
   item.step = from.at("step");
   item.beyondLecture = from.value("beyond_lecture", false);
   item.scenes = from.value("scenes", std::vector<std::string>{});
   item.after = from.value("after", std::string());
-  item.output = from.value("output", std::string());
+  if (from.contains("output")) item.output = inWords(from.at("output"));
   return item;
 }
 
 Part readPart(const json& from) {
   Part part;
   part.id = from.at("id");
-  part.title = from.at("title");
+  part.title = inWords(from.at("title"));
   part.weight = from.value("weight", 1.0);
   if (!(part.weight > 0 && part.weight <= 1))
     throw UsageError(fmt::format("{}: weight must be above 0 and at most 1", part.id));
@@ -131,13 +138,22 @@ json readJson(const fs::path& path) {
   }
 }
 
+void addWords(const fs::path& folder) {
+  try {
+    gg::addWords(folder / "words.ja.json");
+  } catch (const std::runtime_error& error) {
+    throw UsageError(error.what());
+  }
+}
+
 Assignment Assignment::load(const fs::path& folder) {
   const fs::path path = folder / "assignment.json";
   const json from = readJson(path);
+  addWords(folder);
   try {
     Assignment assignment;
     assignment.id = from.at("id");
-    assignment.title = from.at("title");
+    assignment.title = inWords(from.at("title"));
     assignment.files = from.at("files");
     assignment.optionalFiles = from.value("files_optional", std::vector<std::string>{});
     for (const json& part : from.at("parts")) assignment.parts.push_back(readPart(part));

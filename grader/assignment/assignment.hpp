@@ -67,7 +67,8 @@ struct Assignment {
   /// there is one.
   std::vector<std::string> dataFiles() const;
 
-  /// Reads `folder/assignment.json`. Throws UsageError.
+  /// Reads `folder/assignment.json`. What a student reads is in the language that was chosen, where
+  /// `folder/words.ja.json` has it. Throws UsageError.
   static Assignment load(const std::filesystem::path& folder);
 };
 
@@ -94,6 +95,10 @@ std::vector<Assignment> loadAssignments(const std::filesystem::path& folder);
 
 /// Finds the assignment or part `id` under `folder`. Throws UsageError that lists what there is.
 Target findTarget(const std::filesystem::path& folder, const std::string& id);
+
+/// Adds what `folder/words.ja.json`, an assignment's or a solution's, says in the chosen language.
+/// Throws UsageError if it is no object of texts.
+void addWords(const std::filesystem::path& folder);
 
 /// Reads a whole file. Throws UsageError naming it.
 std::string readFile(const std::filesystem::path& path);
