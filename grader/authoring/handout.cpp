@@ -1,5 +1,7 @@
 #include "authoring/handout.hpp"
 
+#include "words/words.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,18 +41,18 @@ std::string fenced(const std::string& file, const std::string& code) {
 
 /// A row an item: points, what must be so, the step to read.
 std::string pointsTable(const Part& part) {
-  std::string table = "| points | what | step |\n| ---: | --- | --- |\n";
+  std::string table = gg::say("| points | what | step |") + "\n| ---: | --- | --- |\n";
   for (const ItemDeclaration& item : part.items) {
     const bool keep = item.kind == report::ItemKind::keep;
     const bool bonus = item.kind == report::ItemKind::bonus;
-    table += fmt::format("| {}{} | {}{} | {} |\n",
+    table += fmt::format("| {}{} | {} | {} |\n",
                          keep    ? "−"
                          : bonus ? "+"
                                  : "",
-                         item.points, item.title,
-                         bonus                ? " (bonus)"
-                         : item.beyondLecture ? " (beyond the lecture)"
-                                              : "",
+                         item.points,
+                         bonus                ? gg::say("{} (bonus)", item.title)
+                         : item.beyondLecture ? gg::say("{} (beyond the lecture)", item.title)
+                                              : item.title,
                          item.step.substr(item.step.find('.') + 1));
   }
   return table;

@@ -11,6 +11,7 @@
 #include "image/png.hpp"
 #include "report/write_file.hpp"
 #include "tradeoff/adopted.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -132,23 +133,37 @@ json writeMeasured(const fs::path& adopted, const fs::path& into) {
   return figures;
 }
 
-/// README.md from the solution's handout.md, and PART.md from its PART.md.
+/// How a text's file is named, and what a text in the other language says of this one.
+struct Written {
+  gg::Language language;
+  const char *ending, *name;
+};
+constexpr Written kWritten[] = {{gg::Language::english, ".md", "English"},
+                                {gg::Language::japanese, ".ja.md", "日本語"}};
+
+/// README.md from the solution's handout.md, and PART.md from its PART.md; in another language the
+/// same from handout.ja.md and PART.ja.md. Each begins with a link to the same text in the others.
 void writeTexts(const Assignment& assignment, const fs::path& solutions, const json& figures,
-                const fs::path& into) {
+                const Written& written, const fs::path& into) {
   const auto stub = [&](const std::string& file) {
     return authoring::withFilled(readFile(solutions / file), file, {});
   };
   const auto measured = [&](const std::string& part) {
     return figures.empty() ? "" : tradeoff::handoutText(figures, part);
   };
-  const auto write = [&](const fs::path& from, const fs::path& to) {
-    report::writeFile(
-        to, authoring::expandHandout(readFile(from), from.string(), assignment, stub, measured));
+  const auto write = [&](const std::string& from, const std::string& to) {
+    const fs::path source = solutions / (from + written.ending);
+    if (!fs::exists(source)) return;
+    std::string links;
+    for (const Written& other : kWritten)
+      if (other.language != written.language && fs::exists(solutions / (from + other.ending)))
+        links += fmt::format("[{}]({}{})\n\n", other.name, to, other.ending);
+    report::writeFile(into / (to + written.ending),
+                      links + authoring::expandHandout(readFile(source), source.string(),
+                                                       assignment, stub, measured));
   };
-  write(solutions / "handout.md", into / "README.md");
-  for (const Part& part : assignment.parts)
-    if (const std::string name = part.id + ".md"; fs::exists(solutions / name))
-      write(solutions / name, into / name);
+  write("handout", "README");
+  for (const Part& part : assignment.parts) write(part.id, part.id);
 }
 
 } // namespace
@@ -159,7 +174,13 @@ void deriveInto(const Assignment& assignment, const fs::path& solutions, const f
   writeSources(assignment, solutions, {}, into);
   const json figures = writeMeasured(solutions / "tradeoff", into);
   if (fs::exists(solutions / "handout.md")) {
-    writeTexts(assignment, solutions, figures, into);
+    const gg::Language chosen = gg::language();
+    for (const Written& written : kWritten) {
+      gg::setLanguage(written.language);
+      addWords(solutions);
+      writeTexts(Assignment::load(assignment.folder), solutions, figures, written, into);
+    }
+    gg::setLanguage(chosen);
     if (pictures) writePictures(assignment, solutions, into / "handout");
   }
 }

@@ -1,6 +1,7 @@
 #include "tradeoff/adopted.hpp"
 
 #include "tradeoff/chart.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -36,40 +37,53 @@ std::string settingCell(const json& setting) {
   return text;
 }
 
-/// Of a program that draws nothing without this part there is nothing to say.
-std::string frameWithout(double ms) {
-  return ms > 0 ? "; without this part a frame takes " + msText(ms) : "";
+/// What stands in a measurement as English, in the language that was chosen.
+std::string inWords(const json& english) {
+  return std::string(gg::words(english.get<std::string>()));
+}
+
+/// What was drawn. Of a program that draws nothing without this part there is no more to say.
+std::string sceneText(const json& sweep) {
+  const std::string about = inWords(sweep.at("about"));
+  const std::string width = sweep.at("size")[0].dump(), height = sweep.at("size")[1].dump();
+  const double without = sweep.at("frame_without_ms");
+  return without > 0 ? gg::say("{} {} x {} pixels; without this part a frame takes {}.", about,
+                               width, height, msText(without))
+                     : gg::say("{} {} x {} pixels.", about, width, height);
+}
+
+std::string numberText(const json& number) {
+  const std::string fall = fallInWords(number.at("error_falls"));
+  if (number.value("cost_exponent", 0.0) > 0 && number.at("cost_deviation") <= kWorstFit)
+    return gg::say("{} Its cost grows with the power {:.2f} of it.", fall,
+                   number.at("cost_exponent").get<double>());
+  return fall;
 }
 
 std::string sweepText(const json& sweep) {
   const std::string part = sweep.at("part"), name = sweep.at("scene_name"),
-                    error = sweep.at("error");
-  std::string text =
-      fmt::format("{} {} x {} pixels{}.\n\n"
-                  "| preset | time | {} | setting |\n| --- | ---: | ---: | --- |\n",
-                  sweep.at("about").get<std::string>(), sweep.at("size")[0].dump(),
-                  sweep.at("size")[1].dump(), frameWithout(sweep.at("frame_without_ms")), error);
+                    error = sweep.at("error"), errorInWords = inWords(error);
+  std::string text = sceneText(sweep) + "\n\n" +
+                     gg::say("| preset | time | {} | setting |", errorInWords) +
+                     "\n| --- | ---: | ---: | --- |\n";
   for (const char* preset : kPresets) {
     if (!sweep.at("presets").contains(preset)) continue;
     const json& row = sweep.at("presets").at(preset);
     text += fmt::format("| {} | {} | {} | {} |\n", preset, costText(row.at("ms")),
                         errorText(row.at("errors").at(error)), settingCell(row.at("setting")));
   }
-  text += fmt::format("\n![Time against {} of {} settings](handout/{})\n\n", error,
-                      sweep.at("settings").dump(), chartFile(part, name));
-  for (const auto& [number, found] : sweep.at("numbers").items()) {
-    text += "- " + found.at("error_falls").get<std::string>();
-    if (found.value("cost_exponent", 0.0) > 0 && found.at("cost_deviation") <= kWorstFit)
-      text += fmt::format(" Its cost grows with the power {:.2f} of it.",
-                          found.at("cost_exponent").get<double>());
-    text += '\n';
-  }
+  const std::string settings = sweep.at("settings").dump();
+  text += fmt::format("\n![{}](handout/{})\n\n",
+                      gg::say("Time against {} of {} settings", errorInWords, settings),
+                      chartFile(part, name));
+  for (const auto& [number, found] : sweep.at("numbers").items())
+    text += "- " + numberText(found) + '\n';
   return text;
 }
 
 std::string growthTable(const json& growth) {
-  std::string text =
-      "| part | against | its cost in a frame | power |\n| --- | --- | --- | ---: |\n";
+  std::string text = gg::say("| part | against | its cost in a frame | power |") +
+                     "\n| --- | --- | --- | ---: |\n";
   for (const json& row : growth) {
     std::string costs;
     bool hidden = row.value("deviation", 0.0) > kWorstFit;
@@ -80,7 +94,7 @@ std::string growthTable(const json& growth) {
       hidden = hidden || ms <= 0;
     }
     text += fmt::format("| {} | {} | {} | {} |\n", row.at("part").get<std::string>(),
-                        row.at("series").get<std::string>(), costs,
+                        inWords(row.at("series")), costs,
                         row.contains("exponent") && !hidden
                             ? fmt::format("{:.2f}", row.at("exponent").get<double>())
                             : kHidden);
@@ -92,13 +106,15 @@ std::string savedTable(const json& saved) {
   const auto mebibytes = [](const json& need) {
     return need.at("image_bytes").get<double>() / (1 << 20);
   };
-  std::string text = "| scene | passes | memory | time |\n| --- | ---: | ---: | ---: |\n";
+  std::string text =
+      gg::say("| scene | passes | memory | time |") + "\n| --- | ---: | ---: | ---: |\n";
   for (const json& row : saved) {
     const json &needed = row.at("needed"), &against = row.at("against");
-    text += fmt::format("| {} | {} of {} | {:.1f} of {:.1f} MiB | {} of {} |\n",
-                        row.at("scene").get<std::string>(), needed.at("passes").dump(),
-                        against.at("passes").dump(), mebibytes(needed), mebibytes(against),
-                        msText(needed.at("ms")), msText(against.at("ms")));
+    text +=
+        fmt::format("| {} | {} | {} | {} |\n", inWords(row.at("scene")),
+                    gg::say("{} of {}", needed.at("passes").dump(), against.at("passes").dump()),
+                    gg::say("{:.1f} of {:.1f} MiB", mebibytes(needed), mebibytes(against)),
+                    gg::say("{} of {}", msText(needed.at("ms")), msText(against.at("ms"))));
   }
   return text;
 }

@@ -21,7 +21,7 @@ json adoptedPresets(const json& figures);
 
 /// Markdown: a part's presets with time and error, its charts, what each number does. With no part:
 /// how the cost of all parts grows, and what a scene doesn't need. Empty if the part was not
-/// measured.
+/// measured. In the language that was chosen.
 std::string handoutText(const json& figures, const std::string& part);
 
 } // namespace ggrade::tradeoff

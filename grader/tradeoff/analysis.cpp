@@ -1,11 +1,15 @@
 #include "tradeoff/analysis.hpp"
 
+#include "words/words.hpp"
+
+#include <fmt/args.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <regex>
 
 namespace ggrade::tradeoff {
 
@@ -158,40 +162,86 @@ std::optional<Growth> growthOf(const std::vector<double>& x, const std::vector<d
   return growth;
 }
 
+namespace {
+
+// What is said of a number. Of two places side by side the second is a share in brackets, or empty.
+constexpr char kOneValue[] = "{} has one value only: {} at {}.";
+constexpr char kNoDifference[] =
+    "{} makes no difference to the error here: {} to {} at every value.";
+constexpr char kFalls[] = "The error falls with {}: from {} at {} to {} at {}.";
+constexpr char kStays[] = "The error does not fall with {}: {} at {}, and {} at {}{}.";
+constexpr char kRises[] =
+    "The error does not fall with {}: {} at {}, and it has risen to {} at {}{}.";
+constexpr char kStaysBeyond[] =
+    "The error does not fall beyond {} {}: from {} at {} to {} there; {} at {}{}.";
+constexpr char kRisesBeyond[] =
+    "The error does not fall beyond {} {}: from {} at {} to {} there; it has risen to {} at {}{}.";
+constexpr char kOnTheWay[] = "On the way it rises from {} at {} to {} at {}.";
+
+/// Finds a sentence and what stands in its places, none of which has a space in it.
+std::regex patternOf(const std::string& sentence) {
+  std::string pattern;
+  for (std::size_t i = 0; i < sentence.size(); ++i) {
+    if (sentence[i] != '{') {
+      pattern += sentence[i] == '.' ? "\\." : std::string(1, sentence[i]);
+      continue;
+    }
+    const bool share = i > 0 && sentence[i - 1] == '}';
+    pattern += share ? "( \\([^ ]+%\\))?" : "([^ ]+?)";
+    ++i;
+  }
+  return std::regex(pattern + "(?: |$)");
+}
+
+} // namespace
+
 std::string fallText(const std::string& number, const std::vector<std::string>& labels,
                      const std::vector<double>& errors) {
   const std::size_t last = errors.size() - 1;
   const auto [least, most] = std::minmax_element(errors.begin(), errors.end());
-  const std::string at = fmt::format("{} at {}", errorText(errors[0]), labels[0]);
-  const std::string end = fmt::format("{} at {}", errorText(errors[last]), labels[last]);
-  if (last == 0) return fmt::format("{} has one value only: {}.", number, at);
+  const std::string first = errorText(errors[0]), end = errorText(errors[last]);
+  if (last == 0) return fmt::format(kOneValue, number, first, labels[0]);
   if (nearlyEqual(*least, *most))
-    return fmt::format("{} makes no difference to the error here: {} to {} at every value.", number,
-                       errorText(*least), errorText(*most));
+    return fmt::format(kNoDifference, number, errorText(*least), errorText(*most));
   // The first value from which on nothing is gained that counts.
   std::size_t best = 0;
   while (!nearlyEqual(errors[best], *least)) ++best;
   std::string rises;
   for (std::size_t i = 1; i <= best; ++i)
     if (errors[i] > errors[i - 1] && !nearlyEqual(errors[i], errors[i - 1]))
-      rises +=
-          fmt::format(" On the way it rises from {} at {} to {} at {}.", errorText(errors[i - 1]),
-                      labels[i - 1], errorText(errors[i]), labels[i]);
-  if (best == last)
-    return fmt::format("The error falls with {}: from {} to {}.{}", number, at, end, rises);
+      rises += ' ' + fmt::format(kOnTheWay, errorText(errors[i - 1]), labels[i - 1],
+                                 errorText(errors[i]), labels[i]);
+  if (best == last) return fmt::format(kFalls, number, first, labels[0], end, labels[last]) + rises;
   // A share of next to nothing says nothing.
   const double change = errors[last] / std::max(errors[best], 1e-12) - 1;
   const std::string share =
       errors[best] > kNearlyAbsolute
           ? fmt::format(" ({:+.{}f}%)", 100 * change, std::abs(change) < 0.1 ? 1 : 0)
           : "";
-  const std::string further = nearlyEqual(errors[best], errors[last])
-                                  ? end + share
-                                  : fmt::format("it has risen to {}{}", end, share);
+  const bool risen = !nearlyEqual(errors[best], errors[last]);
   if (best == 0)
-    return fmt::format("The error does not fall with {}: {}, and {}.", number, at, further);
-  return fmt::format("The error does not fall beyond {} {}: from {} to {} there; {}.{}", number,
-                     labels[best], at, errorText(errors[best]), further, rises);
+    return fmt::format(fmt::runtime(risen ? kRises : kStays), number, first, labels[0], end,
+                       labels[last], share);
+  return fmt::format(fmt::runtime(risen ? kRisesBeyond : kStaysBeyond), number, labels[best], first,
+                     labels[0], errorText(errors[best]), end, labels[last], share) +
+         rises;
+}
+
+std::string fallInWords(const std::string& fall) {
+  if (gg::language() == gg::Language::english) return fall;
+  std::string said, rest = fall;
+  for (const char* sentence :
+       {kOneValue, kNoDifference, kFalls, kStays, kRises, kStaysBeyond, kRisesBeyond, kOnTheWay}) {
+    const std::regex pattern = patternOf(sentence);
+    for (std::smatch match;
+         std::regex_search(rest, match, pattern, std::regex_constants::match_continuous);) {
+      fmt::dynamic_format_arg_store<fmt::format_context> values;
+      for (std::size_t i = 1; i < match.size(); ++i) values.push_back(match[i].str());
+      said += fmt::vformat(gg::words(sentence), values);
+      rest = match.suffix().str();
+    }
+  }
+  return said + std::string(gg::words(rest));
 }
 
 std::string errorText(double error) {

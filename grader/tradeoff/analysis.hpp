@@ -82,6 +82,10 @@ std::optional<Growth> growthOf(const std::vector<double>& x, const std::vector<d
 std::string fallText(const std::string& number, const std::vector<std::string>& labels,
                      const std::vector<double>& errors);
 
+/// What `fallText` said, and a note behind it, in the language that was chosen. Measurements are
+/// kept with the English sentences.
+std::string fallInWords(const std::string& fall);
+
 /// An error as a person reads it: "1.2%", "0.034%", "3.1e-07".
 std::string errorText(double error);
 /// Milliseconds: "12.3 ms", "0.41 ms".
