@@ -2,6 +2,7 @@
 
 #include "grading/overlay.hpp"
 #include "grading/patched.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -138,8 +139,9 @@ void readMistake(const fs::path& patch, Checker& checker, Catalogue& into) {
   checker.item(patch, "Fails", header.at("Fails"));
   checker.step(patch, header.at("Step"));
   checker.tag(patch, header.at("Shows"));
-  into.mistakes.push_back({patch.stem().string(), patch, header.at("Title"), header.at("Symptom"),
-                           header.at("Hint"), header.at("Fails"), header.at("Step"),
+  const auto inWords = [&](const char* key) { return std::string(gg::words(header.at(key))); };
+  into.mistakes.push_back({patch.stem().string(), patch, inWords("Title"), header.at("Symptom"),
+                           inWords("Hint"), header.at("Fails"), header.at("Step"),
                            header.at("Shows"), checker.outcome(patch, header),
                            header.count("Same") ? header.at("Same") : std::string()});
 }
@@ -205,6 +207,7 @@ const Mistake* Catalogue::mistake(const std::string& name) const {
 
 Catalogue loadCatalogue(const Assignment& assignment, const Part& part,
                         const fs::path& solutionFolder, const fs::path& folder) {
+  addWords(solutionFolder);
   Checker checker(assignment, part, solutionFolder);
   Catalogue all;
   all.part = part.id;

@@ -1,5 +1,7 @@
 #include "grading/scenes.hpp"
 
+#include "words/words.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gg/error.hpp>
@@ -162,12 +164,16 @@ public:
     Drawer drawer(plan_.seed * 0x9e3779b97f4a7c15ull + index + (round << 32));
     // Where several parts are graded, equal names of theirs are told apart.
     const bool prefixed = target_.parts.size() > 1 && declared.contains("parts");
-    const auto named = [&](std::string name) {
-      if (prefixed) name = fmt::format("{}: {}", fmt::join(parts, " + "), name);
-      return round > 0 ? name + ", drawn anew" : name;
+    const auto withParts = [&](const std::string& name) {
+      return prefixed ? fmt::format("{}: {}", fmt::join(parts, " + "), name) : name;
+    };
+    const auto named = [&](const std::string& english) {
+      const std::string name = withParts(std::string(gg::words(english)));
+      return round > 0 ? gg::say("{}, drawn anew", name) : name;
     };
     SceneCase one;
     one.name = named(declared.at("name"));
+    one.english = withParts(declared.at("name")) + (round > 0 ? ", drawn anew" : "");
     one.isPublic = declared.value("public", false);
     one.tags = declared.value("tags", std::vector<std::string>{});
     if (declared.contains("like")) {
@@ -224,6 +230,7 @@ Quality parseQuality(const std::string& name) {
 ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder, const Draw& draw) {
   const fs::path path = solutionFolder / "scenes.json";
   const json from = readJson(path);
+  addWords(solutionFolder);
   try {
     ScenePlan plan;
     plan.seed = draw.seed ? *draw.seed : from.at("seed").get<std::uint64_t>();
@@ -252,9 +259,13 @@ ScenePlan drawScenes(const Target& target, const fs::path& solutionFolder, const
 }
 
 std::string describe(const ScenePlan& plan) {
+  std::map<std::string, std::string> english = {{"", ""}}; // of a scene's name
   json all = json::array();
-  for (const SceneCase& one : plan.scenes)
-    all.push_back({one.name, one.isPublic, one.tags, one.times, one.scene, one.like, one.probes});
+  for (const SceneCase& one : plan.scenes) {
+    english[one.name] = one.english.empty() ? one.name : one.english;
+    all.push_back({english[one.name], one.isPublic, one.tags, one.times, one.scene,
+                   english[one.like], one.probes});
+  }
   return fmt::format("{} {} {}", plan.seed, nameOf(plan.quality), all.dump());
 }
 

@@ -35,7 +35,7 @@ struct Draw {
 
 /// One scene to render, fully drawn: no random choice is left in it.
 struct SceneCase {
-  std::string name;
+  std::string name; ///< in the language that was chosen
   bool isPublic = false;
   std::vector<std::string> tags; ///< what it can show; rubric items choose scenes by tag
   std::vector<double> times;     ///< seconds, one a frame
@@ -45,6 +45,7 @@ struct SceneCase {
   /// feature changes: the scene with a patch merged over it. A probe with tags belongs to the
   /// scenes that share one.
   std::map<std::string, nlohmann::json> probes;
+  std::string english = {}; ///< the name as scenes.json has it; empty: `name`
 };
 
 struct ScenePlan {
@@ -65,7 +66,7 @@ struct ScenePlan {
 ScenePlan drawScenes(const Target& target, const std::filesystem::path& solutionFolder,
                      const Draw& draw = {});
 
-/// All of a plan as text: equal texts are equal plans.
+/// All of a plan as text, the same in every language: equal texts are equal plans.
 std::string describe(const ScenePlan& plan);
 
 /// Throws UsageError, with `name`, unless the scene is one that assignment.json allows.

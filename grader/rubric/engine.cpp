@@ -191,7 +191,7 @@ int runJudge(const std::filesystem::path& evidenceFile, const std::filesystem::p
              const std::vector<std::string>& arguments) {
   keepFreedMemory();
   const Evidence evidence = readEvidence(evidenceFile);
-  const Target target = findTarget(evidence.assignmentFolder.parent_path(), evidence.target);
+  const Target target = targetOf(evidence);
 
   std::vector<std::string> words = {"ggrade"};
   words.insert(words.end(), arguments.begin(), arguments.end());

@@ -155,4 +155,10 @@ Evidence readEvidence(const fs::path& file) {
   return evidence;
 }
 
+Target targetOf(const Evidence& evidence) {
+  const fs::path assignments = evidence.assignmentFolder.parent_path();
+  addWords(assignments.parent_path() / "solutions" / evidence.assignmentFolder.filename());
+  return findTarget(assignments, evidence.target);
+}
+
 } // namespace ggrade::rubric

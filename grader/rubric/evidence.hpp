@@ -3,6 +3,7 @@
 /// What a rubric judges, as files: rendered frames of the submission, the reference, the stub and
 /// the probes, scene by scene. The grading process writes it, the judging process reads it.
 
+#include "assignment/assignment.hpp"
 #include "image/image.hpp"
 #include "trace/trace.hpp"
 
@@ -75,6 +76,8 @@ void writeEvidence(const std::filesystem::path& file, const std::filesystem::pat
                    const std::vector<std::string>& again = {});
 /// Scenes without a student's folder have no student's frames.
 Evidence readEvidence(const std::filesystem::path& file);
+/// What is judged; from then on its solution's words are known, in the language that was chosen.
+Target targetOf(const Evidence& evidence);
 /// Leaves the first frame of each scene, of whoever drew it.
 void keepFirstFrames(Evidence& evidence);
 /// Reads what a submission drew in this scene.

@@ -87,8 +87,7 @@ int serveJudge(const fs::path& evidenceFile) {
   keepFreedMemory();
   Common common;
   common.evidence = readEvidence(evidenceFile);
-  common.items =
-      findTarget(common.evidence.assignmentFolder.parent_path(), common.evidence.target).items();
+  common.items = targetOf(common.evidence).items();
   for (const ItemDeclaration& item : common.items)
     warm(item, judgeOf(item.id), common.evidence, common.floors);
   for (std::string line; std::getline(std::cin, line);) {

@@ -7,8 +7,7 @@
 #include "rubric_pictures.hpp"
 
 #include "rubric/light.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +42,7 @@ GGRADE_ITEM("figure.picture", window);
 /// One of the figure's pictures, as the reference's shaders read it, with a name for messages.
 struct Wanted {
   const char* sampler;
-  const char* name;
+  std::string name;
   bool occluded = false; ///< does occlusion darken it?
 };
 
@@ -62,7 +61,7 @@ Verdict pictures(const View& view, const std::vector<Wanted>& all) {
 }
 
 GGRADE_ITEM("figure.gbuffer", [](const View& view) {
-  return pictures(view, {{"uNormals", "normals"}, {"uIds", "identifiers"}});
+  return pictures(view, {{"uNormals", gg::say("normals")}, {"uIds", gg::say("identifiers")}});
 });
 
 GGRADE_PASS("figure.gbuffer", [](const View& view) {
@@ -70,7 +69,8 @@ GGRADE_PASS("figure.gbuffer", [](const View& view) {
 });
 
 GGRADE_ITEM("figure.irradiance", [](const View& view) {
-  return pictures(view, {{"uIrradiance", "irradiance"}, {"uDiffuse", "diffuse light", true}});
+  return pictures(
+      view, {{"uIrradiance", gg::say("irradiance")}, {"uDiffuse", gg::say("diffuse light"), true}});
 });
 
 GGRADE_PASS("figure.irradiance",
@@ -157,20 +157,20 @@ constexpr double kOtherPoints = 0.15, kNoOcclusion = 0.6;
 Verdict occlusion(const Image& open, const Openness& right, const std::string& where) {
   const double off = rms(smoothed(open, right.region), right.wanted, right.region);
   return {std::clamp((kNoOcclusion - off / right.none) / (kNoOcclusion - kOtherPoints), 0.0, 1.0),
-          fmt::format("occlusion in {} is off by {:.3f} (RMS); none at all by {:.3f}", where, off,
-                      right.none)};
+          gg::say("occlusion in {} is off by {:.3f} (RMS); none at all by {:.3f}", where, off,
+                  right.none)};
 }
 
 GGRADE_ITEM("figure.occlusion", [](const View& view) {
-  Verdict best{0, "no pass draws it into a texture that a later pass reads"};
+  Verdict best{0, gg::say("no pass draws it into a texture that a later pass reads")};
   for (const Texture& found : texturesOf(view.trace, view.scene.reference.at(0))) {
     if (drewObjects(*found.drawn.pass) || findNonFinite(found.image)) continue;
-    const Verdict one = occlusion(found.image, inTexture(view.scene), "a texture");
+    const Verdict one = occlusion(found.image, inTexture(view.scene), gg::say("a texture"));
     if (one.quality > best.quality) best = one;
   }
   const Verdict window = worstFrame(view, [&](std::size_t i) {
     return occlusion(shownOpen(view.scene, view.frames.at(i), i), inWindow(view.scene, i),
-                     "the window");
+                     gg::say("the window"));
   });
   return passesOrPicture(best, window);
 });
@@ -179,16 +179,16 @@ GGRADE_PASS("figure.occlusion",
             [](const View& view) { return outputOf(view.trace, {"uOcclusion"}); });
 
 GGRADE_ITEM("figure.reflection", [](const View& view) {
-  return pictures(view, {{"uReflected", "reflected directions"},
-                         {"uFresnel", "Fresnel term"},
-                         {"uReflection", "reflection"}});
+  return pictures(view, {{"uReflected", gg::say("reflected directions")},
+                         {"uFresnel", gg::say("Fresnel term")},
+                         {"uReflection", gg::say("reflection")}});
 });
 
 GGRADE_PASS("figure.reflection",
             [](const View& view) { return outputOf(view.trace, {"uReflection"}); });
 
 GGRADE_ITEM("figure.composition", [](const View& view) {
-  return pictures(view, {{"uComposition", "composition", true}});
+  return pictures(view, {{"uComposition", gg::say("composition"), true}});
 });
 
 GGRADE_ITEM("figure.keep_state", sameAgain);

@@ -1,8 +1,7 @@
 #include "rubric_pictures.hpp"
 
 #include "rubric/follows.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,13 +86,13 @@ Match match(const Texture& found, const Texture& right, const Mask& region,
   options.mask = &region;
   const Comparison comparison = compare(found.image, right.image, options);
   return {{comparison.compared() ? qualityOf(comparison.wrongShare) : 0,
-           fmt::format("{}: {:.1f}% of {} pixels differ{}", name, 100 * comparison.wrongShare,
-                       comparison.judgedPixels, densestAt(comparison.densest))},
+           gg::say("{}: {:.1f}% of {} pixels differ{}", name, 100 * comparison.wrongShare,
+                   comparison.judgedPixels, densestAt(comparison.densest))},
           &found};
 }
 
 Verdict together(const std::vector<Verdict>& pictures) {
-  if (pictures.empty()) return {1, "this scene has none"};
+  if (pictures.empty()) return {1, gg::say("this scene has none")};
   double worst = 1, sum = 0;
   std::string message;
   for (const Verdict& one : pictures) {
@@ -101,12 +100,14 @@ Verdict together(const std::vector<Verdict>& pictures) {
     sum += one.quality;
     if (one.quality < 1) message += (message.empty() ? "" : "; ") + one.message;
   }
-  return {(worst + sum / double(pictures.size())) / 2, message.empty() ? "all match" : message};
+  return {(worst + sum / double(pictures.size())) / 2,
+          message.empty() ? gg::say("all match") : message};
 }
 
 Verdict passesOrPicture(const Verdict& passes, const Verdict& picture) {
   if (picture.quality <= std::max(passes.quality, kRightPicture)) return passes;
-  return {picture.quality, passes.message + "; but the picture counts: " + picture.message};
+  return {picture.quality,
+          gg::say("{}; but the picture counts: {}", passes.message, picture.message)};
 }
 
 Verdict sameAgain(const View& view) {
@@ -117,15 +118,15 @@ Verdict sameAgain(const View& view) {
     if (compare(reference[i], reference[0]).wrongPixels > 0) continue;
     const Comparison changed = compare(view.frames[i], view.frames[0]);
     return {1 - std::clamp((changed.wrongShare - kNoise) / kAllLeft, 0.0, 1.0),
-            fmt::format("frame {}, with everything where it was in frame 1: {:.1f}% of the pixels "
-                        "have changed{}",
-                        i + 1, 100 * changed.wrongShare, densestAt(changed.densest))};
+            gg::say("frame {}, with everything where it was in frame 1: {:.1f}% of the pixels "
+                    "have changed{}",
+                    i + 1, 100 * changed.wrongShare, densestAt(changed.densest))};
   }
-  return {1, "nothing is where it was again"};
+  return {1, gg::say("nothing is where it was again")};
 }
 
 Verdict outlinesFollow(const View& view) {
-  return follows(view, outlines, "outlines");
+  return follows(view, outlines, gg::say("outlines"));
 }
 
 } // namespace deferred_rubric

@@ -4,8 +4,7 @@
 // order they are attached is nobody's concern. Who has the picture right has the textures right.
 
 #include "rubric_pictures.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 
@@ -13,9 +12,17 @@ using namespace deferred_rubric;
 
 namespace {
 
-/// A sampler of the reference's composition, and what it reads.
-constexpr std::pair<const char*, const char*> kKinds[] = {
-    {"uDiffuse", "diffuse light"}, {"uSpecular", "specular light"}, {"uAmbient", "ambient light"}};
+/// A sampler of the reference's composition, what it reads, and where that is, for messages.
+struct Kind {
+  const char* sampler;
+  std::string name, place;
+};
+
+std::vector<Kind> allKinds() {
+  return {{"uDiffuse", gg::say("diffuse light"), gg::say("where there is diffuse light")},
+          {"uSpecular", gg::say("specular light"), gg::say("where there is specular light")},
+          {"uAmbient", gg::say("ambient light"), gg::say("where there is ambient light")}};
+}
 
 /// Stored light that is told from none.
 constexpr float kLeastLight = 4.0f / 255;
@@ -43,7 +50,7 @@ struct Kinds {
 Kinds kindsOf(const View& view) {
   std::vector<Verdict> verdicts;
   Kinds kinds;
-  for (const auto& [sampler, name] : kKinds) {
+  for (const auto& [sampler, name, place] : allKinds()) {
     const Texture* right = wanted(view.scene, sampler);
     if (!right) continue; // this scene has none
     // Where there is such light; elsewhere any dark texture would do.
@@ -72,16 +79,16 @@ GGRADE_ITEM("targets.once", [](const View& view) -> Verdict {
       std::all_of(kinds.textures.begin(), kinds.textures.end(), [&](const Texture* texture) {
         return texture->drawn.pass == kinds.textures.front()->drawn.pass;
       });
-  if (!once) return {0, "the kinds of light come from different passes"};
-  return {kinds.verdict.quality, "one pass draws " + std::to_string(kinds.textures.size()) +
-                                     " textures; " + kinds.verdict.message};
+  if (!once) return {0, gg::say("the kinds of light come from different passes")};
+  return {kinds.verdict.quality,
+          gg::say("one pass draws {} textures; {}", kinds.textures.size(), kinds.verdict.message)};
 });
 
 /// Where a window without this kind of light would look different.
 Mask matters(const SceneEvidence& scene, const Texture& kind) {
   const Image& window = scene.reference.at(0);
   Image without(window.width(), window.height(), 3);
-  for (const auto& [sampler, name] : kKinds) {
+  for (const auto& [sampler, name, place] : allKinds()) {
     const Texture* other = wanted(scene, sampler);
     if (!other || other == &kind) continue;
     for (std::size_t i = 0; i < without.values().size(); ++i)
@@ -94,12 +101,11 @@ Mask matters(const SceneEvidence& scene, const Texture& kind) {
 /// Highlights are small: each kind of light counts where it is seen, and the whole picture, too.
 GGRADE_ITEM("targets.compose", [](const View& view) {
   std::vector<Verdict> kinds;
-  for (const auto& [sampler, name] : kKinds) {
+  for (const auto& [sampler, name, place] : allKinds()) {
     const Texture* kind = wanted(view.scene, sampler);
     if (!kind) continue;
     const Mask region = matters(view.scene, *kind) & objects(view.scene, 0);
-    if (!tooSmall(region))
-      kinds.push_back(within(view, 0, region, std::string("where there is ") + name));
+    if (!tooSmall(region)) kinds.push_back(within(view, 0, region, place));
   }
   const Verdict seen = together(kinds), all = window(view);
   return seen.quality < all.quality ? seen : all;
@@ -132,7 +138,7 @@ Mask border(const Image& window) {
 
 GGRADE_ITEM("targets.edges", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) {
-    return within(view, i, edges(view.scene, i) & ~negative(view.scene, i), "edges");
+    return within(view, i, edges(view.scene, i) & ~negative(view.scene, i), gg::say("edges"));
   });
 });
 
@@ -140,15 +146,15 @@ GGRADE_ITEM("targets.edges", [](const View& view) {
 GGRADE_ITEM("targets.border", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) {
     const Mask region = border(view.scene.reference.at(i)) & ~negative(view.scene, i);
-    return within(view, i, region, "the window's border");
+    return within(view, i, region, gg::say("the window's border"));
   });
 });
 
 GGRADE_ITEM("targets.negative", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
     const Mask region = edges(view.scene, i) & negative(view.scene, i);
-    if (tooSmall(region)) return {1, "the filter takes nowhere more than there is"};
-    return within(view, i, region, "where the filter takes more than there is");
+    if (tooSmall(region)) return {1, gg::say("the filter takes nowhere more than there is")};
+    return within(view, i, region, gg::say("where the filter takes more than there is"));
   });
 });
 
@@ -164,12 +170,12 @@ Mask aboveOne(const Image& image) {
 GGRADE_ITEM("targets.bright", [](const View& view) {
   const Texture& right = *wanted(view.scene, "uDiffuse");
   const Match best = bestMatch(view, right, aboveOne(right.image) & objects(view.scene, 0),
-                               "diffuse light above 1", ofObjects);
+                               gg::say("diffuse light above 1"), ofObjects);
   const Verdict window = worstFrame(view, [&](std::size_t i) -> Verdict {
     const Mask matters = differenceMask(view.scene.reference.at(i),
                                         view.scene.probes.at("8 bits").at(i), kTolerance);
-    if (tooSmall(matters)) return {0, "8 bits would do in this frame"};
-    return within(view, i, matters, "window");
+    if (tooSmall(matters)) return {0, gg::say("8 bits would do in this frame")};
+    return within(view, i, matters, gg::say("window"));
   });
   return passesOrPicture(best.verdict, window);
 });
@@ -182,8 +188,8 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
   options.mask = &region;
   const Comparison comparison =
       compare(view.frames.at(frame), view.scene.reference.at(frame), options);
-  where = fmt::format("{:.1f}% of the background differs{}", 100 * comparison.wrongShare,
-                      densestAt(comparison.densest));
+  where = gg::say("{:.1f}% of the background differs{}", 100 * comparison.wrongShare,
+                  densestAt(comparison.densest));
   return comparison.wrongShare;
 }
 

@@ -7,8 +7,7 @@
 #include "rubric/follows.hpp"
 #include "rubric/measures.hpp"
 #include "rubric_passes.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -132,17 +131,18 @@ GGRADE_ITEM("mirror.where", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
     const Coverage& cover = coverage(view, i);
     return {cover.quality,
-            fmt::format("reflected objects cover {} pixels: {:.1f}% of them lack the reflection, "
-                        "{:.1f}% as many again have one that must not be there",
-                        cover.pixels.wanted,
-                        100.0 * double(cover.pixels.missing) / double(cover.pixels.wanted),
-                        100.0 * double(cover.pixels.extra) / double(cover.pixels.wanted))};
+            gg::say("reflected objects cover {} pixels: {:.1f}% of them lack the reflection, "
+                    "{:.1f}% as many again have one that must not be there",
+                    cover.pixels.wanted,
+                    100.0 * double(cover.pixels.missing) / double(cover.pixels.wanted),
+                    100.0 * double(cover.pixels.extra) / double(cover.pixels.wanted))};
   });
 });
 
 GGRADE_ITEM("mirror.shading", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) {
-    return within(view, i, erode(regionsOf(view.scene, i).reflection, 1), "reflection's colours");
+    return within(view, i, erode(regionsOf(view.scene, i).reflection, 1),
+                  gg::say("reflection's colours"));
   });
 });
 
@@ -192,14 +192,14 @@ double textureQuality(const Image& found, const WantedTexture& wanted, std::stri
   const double share =
       double(comparison.wrongPixels) / double(std::max<std::size_t>(wanted.objects.count(), 1));
   message =
-      fmt::format("reflection texture of {}: {:.1f}% as many pixels as it has of objects differ{}",
-                  found.sizeText(), 100 * share, densestAt(comparison.densest));
+      gg::say("reflection texture of {}: {:.1f}% as many pixels as it has of objects differ{}",
+              found.sizeText(), 100 * share, densestAt(comparison.densest));
   return comparison.compared() ? qualityOf(share) : 0;
 }
 
 GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
   const WantedTexture& wanted = wantedTexture(view.scene);
-  Verdict best{0, "no pass samples a texture that objects were drawn into"};
+  Verdict best{0, gg::say("no pass samples a texture that objects were drawn into")};
   for (const Image& found : objectTextures(view.trace)) {
     std::string message;
     const double quality = textureQuality(found, wanted, message);
@@ -215,9 +215,9 @@ GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
   const double share = double(comparison.wrongPixels) / double(std::max<std::size_t>(objects, 1));
   const double quality = comparison.compared() ? qualityOf(share) : 0;
   if (quality <= best.quality) return best;
-  return {quality, best.message + fmt::format("; but the floor counts: {:.1f}% as many of its "
-                                              "pixels differ as reflect objects{}",
-                                              100 * share, densestAt(comparison.densest))};
+  return {quality, gg::say("{}; but the floor counts: {:.1f}% as many of its "
+                           "pixels differ as reflect objects{}",
+                           best.message, 100 * share, densestAt(comparison.densest))};
 });
 
 GGRADE_PASS("mirror.texture", [](const View& view) -> std::vector<PassOutput> {
@@ -312,9 +312,8 @@ GGRADE_ITEM("mirror.position", [](const View& view) {
     const Mask& wanted = reachable(view, i);
     const std::size_t right = (rightHue(view, i, view.frames.at(i)) & wanted).count();
     const double share = double(right) / double(std::max<std::size_t>(wanted.count(), 1));
-    return {
-        std::clamp((share - 0.5) / 0.45, 0.0, 1.0),
-        fmt::format("{:.0f}% of the reflection shows the colour of the object that belongs there",
+    return {std::clamp((share - 0.5) / 0.45, 0.0, 1.0),
+            gg::say("{:.0f}% of the reflection shows the colour of the object that belongs there",
                     100 * share)};
   });
 });
@@ -322,15 +321,15 @@ GGRADE_ITEM("mirror.position", [](const View& view) {
 GGRADE_ITEM("mirror.hidden", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
     const Mask region = reachable(view, i) & regionsOf(view.scene, i).meeting;
-    if (tooSmall(region)) return {1, "nothing to see in this frame"};
+    if (tooSmall(region)) return {1, gg::say("nothing to see in this frame")};
     const Mask wrong = wrongObject(view, i, region);
     // The densest window: a hidden object may be small in a large picture.
     const Window densest = densestWindow(wrong);
     // Nothing is hidden rightly by a reflection that isn't there.
     const double quality = qualityOf(densest.share, kWrongObject) * coverage(view, i).quality;
-    return {quality,
-            fmt::format(
-                "where two objects meet, {} of {} pixels show another object than the nearest{}",
+    return {
+        quality,
+        gg::say("where two objects meet, {} of {} pixels show another object than the nearest{}",
                 wrong.count(), region.count(), densestAt(densest))};
   });
 });
@@ -338,8 +337,8 @@ GGRADE_ITEM("mirror.hidden", [](const View& view) {
 GGRADE_ITEM("mirror.clip", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
     const Mask& region = regionsOf(view.scene, i).clipped;
-    if (tooSmall(region)) return {1, "nothing to see in this frame"};
-    Verdict verdict = within(view, i, region, "where a sunken object must be cut off");
+    if (tooSmall(region)) return {1, gg::say("nothing to see in this frame")};
+    Verdict verdict = within(view, i, region, gg::say("where a sunken object must be cut off"));
     verdict.quality *= coverage(view, i).quality;
     return verdict;
   });
@@ -379,8 +378,8 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
                          : region;
   const Window densest = densestWindow(wrong);
   const double share = double(wrong.count()) / double(std::max<std::size_t>(region.count(), 1));
-  where = fmt::format("{:.1f}% of the pixels away from the reflection differ{}", 100 * share,
-                      densestAt(densest));
+  where = gg::say("{:.1f}% of the pixels away from the reflection differ{}", 100 * share,
+                  densestAt(densest));
   return share;
 }
 
@@ -401,7 +400,7 @@ GGRADE_ITEM("mirror.keep_following", [](const View& view) {
     return reflectedObjects(regionsOf(of.scene, frame), of.scene.probes.at("plain").at(frame),
                             of.frames.at(frame));
   };
-  return follows(view, reflections, "reflection");
+  return follows(view, reflections, gg::say("reflection"));
 });
 
 /// Sums over `2 reach + 1` values along one line of `length` values that lie `step` apart.
@@ -478,8 +477,8 @@ GGRADE_ITEM("mirror.blur", [](const View& view) {
                              blur.wanted);
     const double quality = std::clamp((1 - found / blur.sharp) / 0.8, 0.0, 1.0);
     return {quality,
-            fmt::format("the blurred reflection is off by {:.4f} (RMS); a sharp one is by {:.4f}",
-                        found, blur.sharp)};
+            gg::say("the blurred reflection is off by {:.4f} (RMS); a sharp one is by {:.4f}",
+                    found, blur.sharp)};
   });
 });
 

@@ -10,6 +10,7 @@
 #include "rubric/follows.hpp"
 #include "rubric/measures.hpp"
 #include "rubric_pyramid.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -66,15 +67,15 @@ Mask halo(const View& view, std::size_t frame) {
 Verdict picture(const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
     const Mask region = halo(view, i);
-    if (tooSmall(region)) return {1, "nothing glows in this frame"};
+    if (tooSmall(region)) return {1, gg::say("nothing glows in this frame")};
     CompareOptions options;
     options.mask = &region;
     std::vector<const Image*> right{&view.scene.reference.at(i)};
     for (const char* filter : kFilters) right.push_back(&view.scene.probes.at(filter).at(i));
     const Comparison best = compareWithBest(view.frames.at(i), right, options).comparison;
     return {qualityOf(best.wrongShare, kNothingOfPicture),
-            fmt::format("{:.1f}% of the {} pixels that bloom reaches differ{}",
-                        100 * best.wrongShare, region.count(), densestAt(best.densest))};
+            gg::say("{:.1f}% of the {} pixels that bloom reaches differ{}", 100 * best.wrongShare,
+                    region.count(), densestAt(best.densest))};
   });
 }
 
@@ -84,22 +85,22 @@ GGRADE_ITEM("bloom.picture", picture);
 Verdict passOrPicture(const View& view, double quality, const std::string& message) {
   const Verdict whole = picture(view);
   if (whole.quality <= std::max(quality, kRightPicture)) return {quality, message};
-  return {whole.quality, message + "; but the picture counts: " + whole.message};
+  return {whole.quality, gg::say("{}; but the picture counts: {}", message, whole.message)};
 }
 
 double sceneQuality(const View& view, std::string& message) {
   const Pyramid& found = pyramidOf(view);
   if (found.scene.empty()) {
-    message = "scene: no pass draws the objects into a texture that a later pass samples";
+    message = gg::say("scene: no pass draws the objects into a texture that a later pass samples");
     return 0;
   }
   const std::string format = trace::glName(found.sceneFormat);
   if (!holdsLight(found.sceneFormat)) {
-    message = fmt::format("scene: kept in {}, which ends at 1", format);
+    message = gg::say("scene: kept in {}, which ends at 1", format);
     return 0;
   }
   const LightComparison light = compareLight(found.scene, referencePyramid(view).scene, 1);
-  message = fmt::format("scene: {}, {}", format, light.text);
+  message = gg::say("scene: {}, {}", format, light.text);
   return qualityOf(light.wrongShare, kNothingOfPass);
 }
 
@@ -128,18 +129,19 @@ GGRADE_ITEM("bloom.bright", [](const View& view) {
   const bool sceneRight = sceneQuality(view, scene) > 0.5;
   const LightComparison light = brightPass(view);
   const double quality = qualityOf(light.wrongShare, kNothingOfPass);
-  std::string message = "bright pass: " + light.text;
+  std::string message = gg::say("bright pass: {}", light.text);
   if (quality < 1)
-    message = sceneRight ? "the first wrong pass is the " + message
-                         : message + "; the first wrong pass is the scene (" + scene + ")";
+    message = sceneRight ? gg::say("the first wrong pass is the bright pass: {}", light.text)
+                         : gg::say("bright pass: {}; the first wrong pass is the scene ({})",
+                                   light.text, scene);
   return passOrPicture(view, quality, message);
 });
 
 /// One kind of level, from the largest to the smallest or back: the share that is right, and the
-/// first that isn't in words. `compareOne(k)` is empty for a level that has none of the kind.
-template <class CompareOne>
-Verdict levelsInOrder(const std::vector<std::size_t>& order, const char* kind,
-                      CompareOne compareOne) {
+/// first that isn't in words. `nameOf(k)` names a level; `compareOne(k)` is empty for a level that
+/// has none of the kind.
+template <class NameOf, class CompareOne>
+Verdict levelsInOrder(const std::vector<std::size_t>& order, NameOf nameOf, CompareOne compareOne) {
   double sum = 0;
   std::string wrong;
   bool earlier = false;
@@ -148,12 +150,12 @@ Verdict levelsInOrder(const std::vector<std::size_t>& order, const char* kind,
     const double quality = qualityOf(light.wrongShare, kNothingOfPass);
     sum += quality;
     if (quality < 1 && wrong.empty())
-      wrong =
-          fmt::format("{} {}: {}{}", kind, k, light.text, earlier ? "; earlier levels match" : "");
+      wrong = earlier ? gg::say("{}: {}; earlier levels match", nameOf(k), light.text)
+                      : fmt::format("{}: {}", nameOf(k), light.text);
     earlier = true;
   }
-  if (order.empty()) return {1, "there is one level only"};
-  return {sum / double(order.size()), wrong.empty() ? "all levels match" : wrong};
+  if (order.empty()) return {1, gg::say("there is one level only")};
+  return {sum / double(order.size()), wrong.empty() ? gg::say("all levels match") : wrong};
 }
 
 /// The better of two comparisons.
@@ -184,21 +186,23 @@ GGRADE_ITEM("bloom.levels", [](const View& view) {
     // As of the scene: what ends at 1 has a handful of steps for a dim halo, and no room for a sum.
     if (!found.levels[k].down.empty() && !holdsLight(found.levels[k].format))
       return passOrPicture(view, 0,
-                           fmt::format("bloom level {}: kept in {}, which ends at 1", k,
-                                       trace::glName(found.levels[k].format)));
+                           gg::say("bloom level {}: kept in {}, which ends at 1", k,
+                                   trace::glName(found.levels[k].format)));
     order.push_back(k);
   }
-  Verdict verdict = levelsInOrder(order, "bloom level", [&](std::size_t k) {
-    const Level& level = wanted.levels[k];
-    const LightComparison light = compareLight(found.levels[k].down, level.down, gain);
-    const Image& before = found.levels[k - 1].down;
-    if (light.wrongShare < kOtherWays || before.empty() || findNonFinite(before)) return light;
-    const Image filtered = byTent(before, level.width, level.height);
-    if (provesNothing(filtered)) return light;
-    return better(light, compareLight(found.levels[k].down, filtered, 1));
-  });
+  Verdict verdict = levelsInOrder(
+      order, [](std::size_t k) { return gg::say("bloom level {}", k); },
+      [&](std::size_t k) {
+        const Level& level = wanted.levels[k];
+        const LightComparison light = compareLight(found.levels[k].down, level.down, gain);
+        const Image& before = found.levels[k - 1].down;
+        if (light.wrongShare < kOtherWays || before.empty() || findNonFinite(before)) return light;
+        const Image filtered = byTent(before, level.width, level.height);
+        if (provesNothing(filtered)) return light;
+        return better(light, compareLight(found.levels[k].down, filtered, 1));
+      });
   if (brightPass(view).wrongShare > kNothingLeft)
-    verdict.message = "after a wrong bright pass: " + verdict.message;
+    verdict.message = gg::say("after a wrong bright pass: {}", verdict.message);
   return passOrPicture(view, verdict.quality, verdict.message);
 });
 
@@ -208,24 +212,26 @@ GGRADE_ITEM("bloom.sum", [](const View& view) {
   const double gain = gainOf(view);
   std::vector<std::size_t> order;
   for (std::size_t k = wanted.levels.size() - 1; k-- > 0;) order.push_back(k);
-  const Verdict verdict = levelsInOrder(order, "the sum at level", [&](std::size_t k) {
-    const Level& level = wanted.levels[k];
-    LightComparison light = compareLight(found.levels[k].up, level.up, gain);
-    const Image &own = found.levels[k].down, &smaller = found.levels[k + 1].up;
-    if (!found.levels[k].summed) {
-      light.wrongShare = 1;
-      light.text = "nothing was added";
-      return light;
-    }
-    if (light.wrongShare < kOtherWays || findNonFinite(own) || smaller.empty() ||
-        findNonFinite(smaller))
-      return light;
-    Image sum = byTent(smaller, own.width(), own.height());
-    if (provesNothing(sum)) return light; // of what was added: the level itself is there anyway
-    for (std::size_t i = 0; i < sum.values().size(); ++i) sum.values()[i] += own.values()[i];
-    if (findNonFinite(sum)) return light;
-    return better(light, compareLight(found.levels[k].up, sum, 1));
-  });
+  const Verdict verdict = levelsInOrder(
+      order, [](std::size_t k) { return gg::say("the sum at level {}", k); },
+      [&](std::size_t k) {
+        const Level& level = wanted.levels[k];
+        LightComparison light = compareLight(found.levels[k].up, level.up, gain);
+        const Image &own = found.levels[k].down, &smaller = found.levels[k + 1].up;
+        if (!found.levels[k].summed) {
+          light.wrongShare = 1;
+          light.text = gg::say("nothing was added");
+          return light;
+        }
+        if (light.wrongShare < kOtherWays || findNonFinite(own) || smaller.empty() ||
+            findNonFinite(smaller))
+          return light;
+        Image sum = byTent(smaller, own.width(), own.height());
+        if (provesNothing(sum)) return light; // of what was added: the level itself is there anyway
+        for (std::size_t i = 0; i < sum.values().size(); ++i) sum.values()[i] += own.values()[i];
+        if (findNonFinite(sum)) return light;
+        return better(light, compareLight(found.levels[k].up, sum, 1));
+      });
   return passOrPicture(view, verdict.quality, verdict.message);
 });
 
@@ -280,8 +286,8 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
       }
   }
   const double share = double(wrong.count()) / double(image.pixelCount());
-  where = fmt::format("{:.1f}% of the pixels show neither the scene nor light added to it{}",
-                      100 * share, densestAt(densestWindow(wrong)));
+  where = gg::say("{:.1f}% of the pixels show neither the scene nor light added to it{}",
+                  100 * share, densestAt(densestWindow(wrong)));
   return share;
 }
 
@@ -307,7 +313,7 @@ GGRADE_ITEM("bloom.keep_following", [](const View& view) {
           if (image.at(x, y, c) > without.at(x, y, c) + kReach) brighter.set(x, y);
     return brighter;
   };
-  return follows(view, glow, "bloom");
+  return follows(view, glow, gg::say("bloom"));
 });
 
 /// One combination of effects must explain all frames: what is right in the first and lacks its
@@ -322,8 +328,8 @@ GGRADE_ITEM("bloom.keep_together", [](const View& view) -> Verdict {
       const Comparison comparison = compare(view.frames.at(i), wanted.at(i));
       if (comparison.wrongShare <= worst) continue;
       worst = comparison.wrongShare;
-      at = fmt::format("frame {}: {:.1f}% of the pixels differ from every combination of effects{}",
-                       i + 1, 100 * worst, densestAt(comparison.densest));
+      at = gg::say("frame {}: {:.1f}% of the pixels differ from every combination of effects{}",
+                   i + 1, 100 * worst, densestAt(comparison.densest));
     }
     if (worst < least) least = worst, where = at;
   };

@@ -1,8 +1,7 @@
 #include "rubric_pyramid.hpp"
 
 #include "rubric/measures.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -152,7 +151,7 @@ Pyramid pyramidLike(const Pyramid& reference, const trace::Trace& trace) {
 LightComparison compareLight(const Image& found, const Image& wanted, double gain) {
   LightComparison result;
   if (found.empty()) {
-    result.text = "nothing was drawn at its size";
+    result.text = gg::say("nothing was drawn at its size");
     return result;
   }
   if (const auto bad = findNonFinite(found)) {
@@ -199,16 +198,16 @@ LightComparison compareLight(const Image& found, const Image& wanted, double gai
     result.uniform = result.ratio > 0 && high < 1.2 * low;
   }
   if (result.wrongShare < kOtherWays)
-    result.text = "matches";
+    result.text = gg::say("matches");
   else if (result.ratio == 0)
-    result.text = "black where there must be light";
+    result.text = gg::say("black where there must be light");
   else if (result.uniform && result.ratio > 1.05)
-    result.text = fmt::format("{:.1f}x too bright everywhere", result.ratio);
+    result.text = gg::say("{:.1f}x too bright everywhere", result.ratio);
   else if (result.uniform && result.ratio < 0.95)
-    result.text = fmt::format("{:.1f}x too dark everywhere", 1 / result.ratio);
+    result.text = gg::say("{:.1f}x too dark everywhere", 1 / result.ratio);
   else
-    result.text = fmt::format("{:.0f}% as many pixels as have light differ{}",
-                              100 * result.wrongShare, densestAt(comparison.densest));
+    result.text = gg::say("{:.0f}% as many pixels as have light differ{}", 100 * result.wrongShare,
+                          densestAt(comparison.densest));
   return result;
 }
 

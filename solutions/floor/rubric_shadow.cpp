@@ -8,8 +8,8 @@
 #include "rubric/light.hpp"
 #include "rubric/measures.hpp"
 #include "rubric_passes.hpp"
+#include "words/words.hpp"
 
-#include <fmt/format.h>
 #include <glm/matrix.hpp>
 
 #include <algorithm>
@@ -72,17 +72,16 @@ Mask shadowIn(const View& view, std::size_t frame) {
   return below(visibility(view.frames.at(frame), lightOf(view, frame)), 0.5f);
 }
 
-Verdict shadowsAgree(const View& view, std::size_t frame, const Mask& region, const char* what,
-                     double nothingLeft = kNothingLeft) {
+Verdict shadowsAgree(const View& view, std::size_t frame, const Mask& region,
+                     const std::string& what, double nothingLeft = kNothingLeft) {
   const Regions& regions = regionsOf(view, frame);
   const Mask wanted = regions.shadow & region;
-  if (tooSmall(wanted)) return {1, "nothing to see in this frame"};
+  if (tooSmall(wanted)) return {1, gg::say("nothing to see in this frame")};
   const Mask found = shadowIn(view, frame) & region;
   const Agreement pixels = agreement(wanted, found, kEdge);
   const Mask wrong = (wanted & ~dilate(found, kEdge)) | (found & ~dilate(wanted, kEdge));
-  return {
-      qualityOf(pixels.wrongShare(), nothingLeft),
-      fmt::format("{} pixels of the {} must be in shadow: {:.1f}% of them are lit, {:.1f}% as many "
+  return {qualityOf(pixels.wrongShare(), nothingLeft),
+          gg::say("{} pixels of the {} must be in shadow: {:.1f}% of them are lit, {:.1f}% as many "
                   "again are in a shadow that must not be there{}",
                   pixels.wanted, what, 100.0 * double(pixels.missing) / double(pixels.wanted),
                   100.0 * double(pixels.extra) / double(pixels.wanted),
@@ -91,7 +90,7 @@ Verdict shadowsAgree(const View& view, std::size_t frame, const Mask& region, co
 
 Verdict floorShadows(const View& view) {
   return worstFrame(view, [&](std::size_t i) {
-    return shadowsAgree(view, i, regionsOf(view, i).floor, "floor");
+    return shadowsAgree(view, i, regionsOf(view, i).floor, gg::say("floor"));
   });
 }
 
@@ -99,7 +98,7 @@ GGRADE_ITEM("shadow.floor", floorShadows);
 
 GGRADE_ITEM("shadow.objects", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) {
-    return shadowsAgree(view, i, regionsOf(view, i).objects, "objects");
+    return shadowsAgree(view, i, regionsOf(view, i).objects, gg::say("objects"));
   });
 });
 
@@ -261,17 +260,17 @@ GGRADE_ITEM("shadow.map", [](const View& view) -> Verdict {
   const double quality = std::clamp((map.share - 0.55) / 0.35, 0.0, 1.0);
   const Verdict shadow = floorShadows(view);
   if (shadow.quality >= quality && quality < 1)
-    return {shadow.quality,
-            map.found
-                ? "no matrix of the submission fits its shadow map; judged by the floor: " +
-                      shadow.message
-                : "no pass samples a depth texture that objects were drawn into; judged by the "
-                  "floor: " +
-                      shadow.message};
-  return {quality,
-          fmt::format("the map of {0}x{0} agrees with the objects at {1:.0f}% of the points "
-                      "that the light sees",
-                      map.size, 100 * map.share)};
+    return {
+        shadow.quality,
+        map.found
+            ? gg::say("no matrix of the submission fits its shadow map; judged by the floor: {}",
+                      shadow.message)
+            : gg::say("no pass samples a depth texture that objects were drawn into; judged by "
+                      "the floor: {}",
+                      shadow.message)};
+  return {quality, gg::say("the map of {0}x{0} agrees with the objects at {1:.0f}% of the points "
+                           "that the light sees",
+                           map.size, 100 * map.share)};
 });
 
 /// The light's depth map; null if no pass draws objects into one that a later pass samples.
@@ -308,10 +307,12 @@ GGRADE_PASS("shadow.map", [](const View& view) -> std::vector<PassOutput> {
 GGRADE_ITEM("shadow.depth_only", [](const View& view) -> Verdict {
   const double right = floorShadows(view).quality;
   const MapVerdict map = bestMap(view);
-  if (!map.found) return {0, "no pass samples a depth texture that objects were drawn into"};
-  if (!map.depthOnly) return {0, "the map's framebuffer object has a colour attachment, too"};
-  if (right < 0.5) return {0, "depths only; it counts once the floor's shadows are right"};
-  return {1, "depths only"};
+  if (!map.found)
+    return {0, gg::say("no pass samples a depth texture that objects were drawn into")};
+  if (!map.depthOnly)
+    return {0, gg::say("the map's framebuffer object has a colour attachment, too")};
+  if (right < 0.5) return {0, gg::say("depths only; it counts once the floor's shadows are right")};
+  return {1, gg::say("depths only")};
 });
 
 /// Colours where the submission and the reference both have a shadow.
@@ -319,13 +320,14 @@ Verdict sharedShadow(const View& view, std::size_t frame) {
   const Regions& regions = regionsOf(view, frame);
   const Mask both = regions.shadow & shadowIn(view, frame);
   const Mask floor = erode(both & regions.floor, 1);
-  if (tooSmall(floor)) return {0, "the submission and the reference share no shadow on the floor"};
-  const Verdict onFloor = within(view, frame, floor, "colours in the floor's shadow");
+  if (tooSmall(floor))
+    return {0, gg::say("the submission and the reference share no shadow on the floor")};
+  const Verdict onFloor = within(view, frame, floor, gg::say("colours in the floor's shadow"));
   // Apart, because the objects' shadows are small beside the floor's. Having none is another
   // item's.
   const Mask objects = erode(both & regions.objects, 1);
   if (tooSmall(objects)) return onFloor;
-  const Verdict onObjects = within(view, frame, objects, "colours in the objects' shadow");
+  const Verdict onObjects = within(view, frame, objects, gg::say("colours in the objects' shadow"));
   return onObjects.quality < onFloor.quality ? onObjects : onFloor;
 }
 
@@ -336,15 +338,15 @@ Verdict highlightTaken(const View& view, std::size_t frame) {
   const Mask shining =
       differenceMask(probe(view, "unshadowed", frame), probe(view, "matt", frame), kLeastLight);
   const Mask region = erode(regions.shadow & regions.floor & shining, kEdge);
-  if (tooSmall(region)) return {1, "nothing to see in this frame"};
-  return within(view, frame, region, "colours where a highlight must be in shadow");
+  if (tooSmall(region)) return {1, gg::say("nothing to see in this frame")};
+  return within(view, frame, region, gg::say("colours where a highlight must be in shadow"));
 }
 
 GGRADE_ITEM("shadow.ambient", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
     if (view.scene.has("backlit")) return highlightTaken(view, i);
     Verdict verdict = sharedShadow(view, i);
-    verdict.quality *= shadowsAgree(view, i, regionsOf(view, i).floor, "floor").quality;
+    verdict.quality *= shadowsAgree(view, i, regionsOf(view, i).floor, gg::say("floor")).quality;
     return verdict;
   });
 });
@@ -360,8 +362,8 @@ GGRADE_ITEM("shadow.outside", [](const View& view) {
     // Lit everywhere is not lit rightly.
     const double there = 1 - double(pixels.missing) / double(pixels.wanted);
     return {qualityOf(densest.share, 0.25) * std::clamp((there - 0.5) / 0.4, 0.0, 1.0),
-            fmt::format("{:.0f}% of a window of {} pixels away from all shadows are in shadow{}",
-                        100 * densest.share, kWindowSide, densestAt(densest))};
+            gg::say("{:.0f}% of a window of {} pixels away from all shadows are in shadow{}",
+                    100 * densest.share, kWindowSide, densestAt(densest))};
   });
 });
 
@@ -379,16 +381,16 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
       unexplained(image, view.scene.reference.at(frame), lightOf(view, frame), region);
   double share = 0;
   const Mask all(image.width(), image.height(), true);
-  for (const auto& [part, name] : {std::pair{&all, "pixels"},
-                                   {&regions.floor, "floor's pixels"},
-                                   {&regions.objects, "objects' pixels"}}) {
+  for (const auto& [part, name] : {std::pair{&all, gg::say("pixels")},
+                                   {&regions.floor, gg::say("floor's pixels")},
+                                   {&regions.objects, gg::say("objects' pixels")}}) {
     const Mask judged = region & *part;
     if (tooSmall(judged)) continue;
     const double one = double((wrong & judged).count()) / double(judged.count());
     if (one < share) continue;
     share = one;
-    where = fmt::format("{:.1f}% of the {} away from shadows differ{}", 100 * share, name,
-                        densestAt(densestWindow(wrong)));
+    where = gg::say("{:.1f}% of the {} away from shadows differ{}", 100 * share, name,
+                    densestAt(densestWindow(wrong)));
   }
   return share;
 }
@@ -408,7 +410,7 @@ GGRADE_ITEM("shadow.keep_following", [](const View& view) {
   const Effect shadows = [](const View& of, std::size_t frame) {
     return shadowIn(of, frame) & regionsOf(of, frame).floor;
   };
-  return follows(view, shadows, "shadow");
+  return follows(view, shadows, gg::say("shadow"));
 });
 
 double rms(const Image& a, const Image& b, const Mask& region) {
@@ -432,9 +434,8 @@ GGRADE_ITEM("shadow.pcf", [](const View& view) {
     const Mask region = dilate(regionsOf(view, i).shadow, 8) & regionsOf(view, i).floor;
     const double hard = rms(visibility(probe(view, "hard", i), light), wanted, region);
     const double found = rms(visibility(view.frames.at(i), light), wanted, region);
-    return {
-        std::clamp((1 - found / hard) / 0.7, 0.0, 1.0),
-        fmt::format("the soft edge is off by {:.3f} (RMS of the light); a hard one is by {:.3f}",
+    return {std::clamp((1 - found / hard) / 0.7, 0.0, 1.0),
+            gg::say("the soft edge is off by {:.3f} (RMS of the light); a hard one is by {:.3f}",
                     found, hard)};
   });
 });
@@ -445,7 +446,7 @@ constexpr double kNothingOfBias = 0.1;
 GGRADE_ITEM("shadow.bias", [](const View& view) {
   return worstFrame(view, [&](std::size_t i) {
     return shadowsAgree(view, i, regionsOf(view, i).floor | regionsOf(view, i).objects,
-                        "floor and the objects", kNothingOfBias);
+                        gg::say("floor and the objects"), kNothingOfBias);
   });
 });
 

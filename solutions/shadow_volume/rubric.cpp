@@ -3,8 +3,7 @@
 #include "rubric_shadows.hpp"
 
 #include "rubric/follows.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 
@@ -17,17 +16,18 @@ Verdict sparesOwnStencil(const View& view, const Mask& stencil) {
   const Regions& regions = regionsOf(view.scene, 0);
   const Mask place = regions.onWalls | regions.onCaster;
   const Mask dark = stencil & place, light = place & ~stencil;
-  if (tooSmall(dark) || tooSmall(light)) return {0, "the stencil is the same nearly everywhere"};
+  if (tooSmall(dark) || tooSmall(light))
+    return {0, gg::say("the stencil is the same nearly everywhere")};
   const Mask found = shadowIn(view, 0) & place;
   Agreement pixels = agreement(dark, found, kEdge);
   pixels.wanted = std::min(dark.count(), light.count());
   return {qualityOf(pixels.wrongShare()),
-          fmt::format("{} pixels that differ in the stencil are lit, {} that don't are in shadow",
-                      pixels.missing, pixels.extra)};
+          gg::say("{} pixels that differ in the stencil are lit, {} that don't are in shadow",
+                  pixels.missing, pixels.extra)};
 }
 
 Verdict lit(const View& view) {
-  Verdict best = agree(view, 0, shadowIn(view, 0), "window");
+  Verdict best = agree(view, 0, shadowIn(view, 0), Where::window);
   if (frozen(view)) return best;
   const Mask& place = regionsOf(view.scene, 0).caster;
   for (const Mask& stencil : stencils(view.trace)) {
@@ -44,8 +44,8 @@ GGRADE_ITEM("shadow_volume.light", lit);
 Verdict sharedShadow(const View& view, std::size_t frame) {
   const Mask both = regionsOf(view.scene, frame).shadow & shadowIn(view, frame);
   const Mask region = erode(both, 1);
-  if (tooSmall(region)) return {0, "the submission and the reference share no shadow"};
-  return within(view, frame, region, "colours in the shadow");
+  if (tooSmall(region)) return {0, gg::say("the submission and the reference share no shadow")};
+  return within(view, frame, region, gg::say("colours in the shadow"));
 }
 
 GGRADE_ITEM("shadow_volume.ambient", [](const View& view) {
@@ -67,16 +67,16 @@ double spoiled(const View& view, std::size_t frame, std::string& where) {
       unexplained(image, view.scene.reference.at(frame), lightOf(view, frame), region);
   double share = 0;
   const Mask all(image.width(), image.height(), true);
-  for (const auto& [part, name] : {std::pair{&all, "pixels"},
-                                   {&regions.onWalls, "walls' pixels"},
-                                   {&regions.onCaster, "caster's pixels"}}) {
+  for (const auto& [part, name] : {std::pair{&all, gg::say("pixels")},
+                                   {&regions.onWalls, gg::say("walls' pixels")},
+                                   {&regions.onCaster, gg::say("caster's pixels")}}) {
     const Mask judged = region & *part;
     if (tooSmall(judged)) continue;
     const double one = double((wrong & judged).count()) / double(judged.count());
     if (one < share) continue;
     share = one;
-    where = fmt::format("{:.1f}% of the {} away from shadows differ{}", 100 * share, name,
-                        densestAt(densestWindow(wrong)));
+    where = gg::say("{:.1f}% of the {} away from shadows differ{}", 100 * share, name,
+                    densestAt(densestWindow(wrong)));
   }
   return share;
 }
@@ -98,18 +98,18 @@ GGRADE_ITEM("shadow_volume.keep_state", [](const View& view) -> Verdict {
     if (compare(reference[i], reference[0]).wrongPixels > 0) continue;
     const Comparison changed = compare(view.frames[i], view.frames[0]);
     return {1 - std::clamp((changed.wrongShare - kNoise) / kAllLeft, 0.0, 1.0),
-            fmt::format("frame {}, with the lamp where it was in frame 1: {:.1f}% of the pixels "
-                        "have changed{}",
-                        i + 1, 100 * changed.wrongShare, densestAt(changed.densest))};
+            gg::say("frame {}, with the lamp where it was in frame 1: {:.1f}% of the pixels "
+                    "have changed{}",
+                    i + 1, 100 * changed.wrongShare, densestAt(changed.densest))};
   }
-  return {1, "the lamp is never where it was"};
+  return {1, gg::say("the lamp is never where it was")};
 });
 
 GGRADE_ITEM("shadow_volume.keep_following", [](const View& view) {
   const Effect shadows = [](const View& of, std::size_t frame) {
     return shadowIn(of, frame) & regionsOf(of.scene, frame).onWalls;
   };
-  return follows(view, shadows, "shadow");
+  return follows(view, shadows, gg::say("shadow"));
 });
 
 } // namespace

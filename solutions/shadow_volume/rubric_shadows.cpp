@@ -1,6 +1,6 @@
 #include "rubric_shadows.hpp"
 
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <map>
@@ -24,9 +24,8 @@ Verdict agreeOn(const Mask& wanted, const Mask& found, const Mask& place, const 
   pixels.wanted = std::max(pixels.wanted, place.count() / 8);
   const Mask wrong = (right & ~dilate(seen, kEdge)) | (seen & ~dilate(right, kEdge));
   return {qualityOf(pixels.wrongShare()),
-          fmt::format("{}: {} pixels must be in shadow; {} of them are not, and {} others are{}",
-                      what, right.count(), pixels.missing, pixels.extra,
-                      densestAt(densestWindow(wrong)))};
+          gg::say("{}: {} pixels must be in shadow; {} of them are not, and {} others are{}", what,
+                  right.count(), pixels.missing, pixels.extra, densestAt(densestWindow(wrong)))};
 }
 
 } // namespace
@@ -68,18 +67,22 @@ Mask shadowIn(const View& view, std::size_t frame) {
   return below(visibility(view.frames.at(frame), lightOf(view, frame)), 0.5f);
 }
 
-Verdict agree(const View& view, std::size_t frame, const Mask& found, const std::string& name) {
-  if (frozen(view)) return {0, "the picture stays as it is, although time passes"};
+Verdict agree(const View& view, std::size_t frame, const Mask& found, Where where) {
+  if (frozen(view)) return {0, gg::say("the picture stays as it is, although time passes")};
   const Regions& regions = regionsOf(view.scene, frame);
-  const Verdict walls = agreeOn(regions.shadow, found, regions.onWalls, name + ", walls");
+  const Verdict walls =
+      agreeOn(regions.shadow, found, regions.onWalls,
+              where == Where::window ? gg::say("window, walls") : gg::say("stencil, walls"));
   if (tooSmall(regions.onCaster)) return walls;
-  const Verdict caster = agreeOn(regions.shadow, found, regions.onCaster, name + ", caster");
+  const Verdict caster =
+      agreeOn(regions.shadow, found, regions.onCaster,
+              where == Where::window ? gg::say("window, caster") : gg::say("stencil, caster"));
   return caster.quality < walls.quality ? caster : walls;
 }
 
 Verdict shadowsInWindow(const View& view) {
-  return worstFrame(view,
-                    [&](std::size_t i) { return agree(view, i, shadowIn(view, i), "window"); });
+  return worstFrame(
+      view, [&](std::size_t i) { return agree(view, i, shadowIn(view, i), Where::window); });
 }
 
 std::vector<Mask> stencils(const trace::Trace& trace) {
@@ -103,7 +106,7 @@ Verdict counted(const View& view) {
   bool found = false;
   for (const Mask& stencil : stencils(view.trace)) {
     if (stencil.width() != place.width() || stencil.height() != place.height()) continue;
-    const Verdict one = agree(view, 0, stencil, "stencil");
+    const Verdict one = agree(view, 0, stencil, Where::stencil);
     // Where both are wrong, the stencil's message says more.
     if (!found || one.quality > best.quality)
       best = {std::max(one.quality, best.quality), one.message};

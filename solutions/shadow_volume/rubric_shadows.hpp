@@ -33,10 +33,12 @@ const Image& wanted(const SceneEvidence& scene, std::size_t frame);
 /// Pixels that get less than half of the light in one of the view's frames.
 Mask shadowIn(const View& view, std::size_t frame);
 
+/// Where shadows were found.
+enum class Where { window, stencil };
+
 /// Do the pixels of `found` lie in shadow where the reference has one? The worse of walls and
 /// caster.
-///   name: of the place where they were found
-Verdict agree(const View& view, std::size_t frame, const Mask& found, const std::string& name);
+Verdict agree(const View& view, std::size_t frame, const Mask& found, Where where);
 
 /// The shadows in the window, the worst frame's.
 Verdict shadowsInWindow(const View& view);

@@ -5,8 +5,7 @@
 // shows another volume, or none, is right if what it counted or its shadows in the same scene are.
 
 #include "rubric_shadows.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 
@@ -49,9 +48,9 @@ Verdict mesh(const View& view) {
       double(found.beside.count()) / double(std::max<std::size_t>(wanted.beside.count(), 1));
   return {std::clamp((faces - 0.5) / 0.45, 0.0, 1.0) *
               (kFacesAlone + (1 - kFacesAlone) * std::min(1.0, beside / 0.4)),
-          fmt::format("{:.0f}% of the faces towards the lamp are white, and beside the object {} "
-                      "pixels; {} in the reference",
-                      100 * faces, found.beside.count(), wanted.beside.count())};
+          gg::say("{:.0f}% of the faces towards the lamp are white, and beside the object {} "
+                  "pixels; {} in the reference",
+                  100 * faces, found.beside.count(), wanted.beside.count())};
 }
 
 /// A volume of which so much beside the object is wrong has another shape.
@@ -64,10 +63,9 @@ Verdict extruded(const View& view) {
   const Mask wrong = (wanted.beside & ~dilate(found.beside, kEdge)) |
                      (found.beside & ~dilate(wanted.beside, kEdge));
   return {qualityOf(pixels.wrongShare(), kAnotherShape),
-          fmt::format("beside the object {} pixels must be white; {} of them are not, and {} "
-                      "others are{}",
-                      pixels.wanted, pixels.missing, pixels.extra,
-                      densestAt(densestWindow(wrong)))};
+          gg::say("beside the object {} pixels must be white; {} of them are not, and {} "
+                  "others are{}",
+                  pixels.wanted, pixels.missing, pixels.extra, densestAt(densestWindow(wrong)))};
 }
 
 /// Who has what the volume is for has the volume.
@@ -116,10 +114,10 @@ GGRADE_ITEM("shadow_volume.silhouette", [](const View& view) -> Verdict {
   const double own = volumeVertices(view.trace);
   const double reference = volumeVertices(view.scene.referenceTrace);
   const double few = own > 0 ? (kTooMany - own / reference) / (kTooMany - kFewEnough) : 0;
-  const std::string message = fmt::format(
+  const std::string message = gg::say(
       "{:.0f} vertices are drawn into the stencil; {:.0f} in the reference", own, reference);
   if (shadows.quality < kNearlyAll)
-    return {0, message + "; it counts once the shadows are right: " + shadows.message};
+    return {0, gg::say("{}; it counts once the shadows are right: {}", message, shadows.message)};
   return {std::clamp(few, 0.0, 1.0), message};
 });
 

@@ -6,8 +6,7 @@
 #include "rubric_open.hpp"
 
 #include "rubric/follows.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <algorithm>
 
@@ -35,13 +34,14 @@ template <class Measure> double best(const View& view, Measure measure) {
 }
 
 std::string keptOut(double apart) {
-  return fmt::format("differs from the reference by {:.0f}% of what that keeps out", 100 * apart);
+  return gg::say("the occlusion differs from the reference by {:.0f}% of what that keeps out",
+                 100 * apart);
 }
 
 /// An item about the first frame: nothing of it is worth anything if later ones are the same.
 Judge moving(Judge judge) {
   return [judge = std::move(judge)](const View& view) -> Verdict {
-    if (frozen(view)) return {0, "the picture stays as it is, although time passes"};
+    if (frozen(view)) return {0, gg::say("the picture stays as it is, although time passes")};
     return judge(view);
   };
 }
@@ -53,20 +53,20 @@ constexpr double kPointsFree = 0.3, kPointsGone = 0.42;
 constexpr double kOtherwiseFree = 0.1, kOtherwiseGone = 0.25;
 
 Verdict positions(const View& view) {
-  Verdict verdict = within(view, 0, regionsOf(view.scene, 0).covered, "positions");
+  Verdict verdict = within(view, 0, regionsOf(view.scene, 0).covered, gg::say("positions"));
   // Positions that are kept in another way still make the right occlusion.
   double least = 1;
   for (const Opening& opening : openings(view))
     least = std::min(least, likeness(view, opening.open));
   const double otherwise = qualityOf(least, kOtherwiseFree, kOtherwiseGone);
-  if (otherwise > verdict.quality) verdict = {otherwise, "the occlusion " + keptOut(least)};
+  if (otherwise > verdict.quality) verdict = {otherwise, keptOut(least)};
   return verdict;
 }
 GGRADE_ITEM("ssao.position", moving(positions));
 
 Verdict pointsCounted(const View& view) {
   const double least = best(view, [&](const Image& open) { return likeness(view, open); });
-  return {qualityOf(least, kPointsFree, kPointsGone), "the occlusion " + keptOut(least)};
+  return {qualityOf(least, kPointsFree, kPointsGone), keptOut(least)};
 }
 GGRADE_ITEM("ssao.samples", moving(pointsCounted));
 
@@ -99,8 +99,8 @@ Verdict rangeChecked(const View& view) {
       double((dark & near).count()) / double(std::max<std::size_t>(near.count(), 1));
   const double like = likeness(view, open);
   return {qualityOf(like, 0.5, 1) * qualityOf(share, kSeamsFree, kSeamsGone),
-          fmt::format("{:.0f}% of the open surface near edges is too dark{}; the occlusion {}",
-                      100 * share, densestAt(densestWindow(dark)), keptOut(like))};
+          gg::say("{:.0f}% of the open surface near edges is too dark{}; {}", 100 * share,
+                  densestAt(densestWindow(dark)), keptOut(like))};
 }
 GGRADE_ITEM("ssao.range", moving(rangeChecked));
 
@@ -162,9 +162,9 @@ Verdict blurred(const View& view, const Image& open, const Image& wanted, double
   const double edges = apart(open, wanted, regions.covered & regions.edges);
   return {std::min(qualityOf(noise, kNoiseFree, kNoiseGone),
                    qualityOf(edges / across, kEdgesFree, kEdgesGone)),
-          fmt::format("the occlusion differs from a blur by {:.0f}% of what it keeps out, near "
-                      "edges by {:.0f}% ({:.0f}% would be a blur across them)",
-                      100 * noise, 100 * edges, 100 * across)};
+          gg::say("the occlusion differs from a blur by {:.0f}% of what it keeps out, near "
+                  "edges by {:.0f}% ({:.0f}% would be a blur across them)",
+                  100 * noise, 100 * edges, 100 * across)};
 }
 
 /// In the window or in any texture; as the reference's, or as a blur makes it of the submission's
@@ -202,7 +202,7 @@ Verdict applied(const View& view) {
   const Mask region = regions.covered & ~regions.edges &
                       differenceMask(view.scene.probes.at("unlit").at(0),
                                      view.scene.probes.at("unoccluded").at(0), kLeastLight);
-  if (tooSmall(region)) return {0, "there is no ambient light to see it by"};
+  if (tooSmall(region)) return {0, gg::say("there is no ambient light to see it by")};
   constexpr int kReach = 2; // a texture may be coarser than the window
   const Image found = smoothed(openInWindow(view, 0), region, kReach);
   double least = apart(found, smoothed(regions.open, region, kReach), region);
@@ -211,9 +211,9 @@ Verdict applied(const View& view) {
     // It must keep out something to be followed.
     if (apart(own, regions.open, region) < 0.8) least = std::min(least, apart(found, own, region));
   }
-  return {qualityOf(least, kLightFree, kLightGone),
-          fmt::format("the ambient light differs by {:.0f}% of what the occlusion keeps out",
-                      100 * least)};
+  return {
+      qualityOf(least, kLightFree, kLightGone),
+      gg::say("the ambient light differs by {:.0f}% of what the occlusion keeps out", 100 * least)};
 }
 
 GGRADE_ITEM("ssao.apply", moving(applied));
@@ -221,7 +221,7 @@ GGRADE_ITEM("ssao.direct", moving(applied));
 
 Verdict byHorizons(const View& view) {
   const double least = best(view, [&](const Image& open) { return likeness(view, open); });
-  return {qualityOf(least, 0.08, 0.25), "the occlusion " + keptOut(least)};
+  return {qualityOf(least, 0.08, 0.25), keptOut(least)};
 }
 GGRADE_ITEM("ssao.horizons", moving(byHorizons));
 
@@ -234,9 +234,9 @@ GGRADE_ITEM("ssao.keep_picture", [](const View& view) {
     const Mask all(view.frames[i].width(), view.frames[i].height(), true);
     const Mask wrong = unexplained(view.frames[i], view.scene.reference.at(i), light, all);
     const double share = double(wrong.count()) / double(all.count());
-    return {unharmed(share), fmt::format("{:.1f}% of the pixels differ in another way than by less "
-                                         "ambient light{}",
-                                         100 * share, densestAt(densestWindow(wrong)))};
+    return {unharmed(share), gg::say("{:.1f}% of the pixels differ in another way than by less "
+                                     "ambient light{}",
+                                     100 * share, densestAt(densestWindow(wrong)))};
   });
 });
 
@@ -250,11 +250,11 @@ GGRADE_ITEM("ssao.keep_state", [](const View& view) -> Verdict {
     if (compare(reference[i], reference[0]).wrongPixels > 0) continue;
     const Comparison changed = compare(view.frames[i], view.frames[0]);
     return {1 - std::clamp((changed.wrongShare - kSame) / kAllLeft, 0.0, 1.0),
-            fmt::format("frame {}, with everything where it was in frame 1: {:.1f}% of the pixels "
-                        "have changed{}",
-                        i + 1, 100 * changed.wrongShare, densestAt(changed.densest))};
+            gg::say("frame {}, with everything where it was in frame 1: {:.1f}% of the pixels "
+                    "have changed{}",
+                    i + 1, 100 * changed.wrongShare, densestAt(changed.densest))};
   }
-  return {1, "nothing is ever where it was"};
+  return {1, gg::say("nothing is ever where it was")};
 });
 
 GGRADE_ITEM("ssao.keep_following", [](const View& view) {
@@ -262,7 +262,7 @@ GGRADE_ITEM("ssao.keep_following", [](const View& view) {
     const Regions& regions = regionsOf(of.scene, frame);
     return below(openInWindow(of, frame), 0.8f) & regions.covered & ~regions.edges;
   };
-  return follows(view, occlusion, "occlusion");
+  return follows(view, occlusion, gg::say("occlusion"));
 });
 
 } // namespace
