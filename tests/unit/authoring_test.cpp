@@ -4,12 +4,16 @@
 
 #include "assignment/assignment.hpp"
 #include "framework_throws.hpp"
+#include "in_japanese.hpp"
 #include "trace/picture.hpp"
 #include "trace_samples.hpp"
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <regex>
 #include <sstream>
 
 using namespace ggrade;
@@ -139,6 +143,15 @@ TEST(HandoutPoints, AreARowForEveryItem) {
             "| +10 | It is blurred (bonus) | 3 |\nDone.\n");
 }
 
+TEST(HandoutPoints, StandInTheLanguageThatWasChosen) {
+  const InJapanese japanese;
+  EXPECT_EQ(expand("{{points mirror}}\n"), "| 配点 | 評価項目 | 手順 |\n| ---: | --- | --- |\n"
+                                           "| 62.5 | It is there | 2 |\n"
+                                           "| 37.5 | It is clipped（講義の範囲外） | 12 |\n"
+                                           "| −100 | The rest is unharmed | 1 |\n"
+                                           "| +10 | It is blurred（加点） | 3 |\n");
+}
+
 TEST(HandoutTradeoff, IsWhatWasMeasuredOfThePartOrOfAll) {
   EXPECT_EQ(expand("{{tradeoff mirror}}\n{{tradeoff}}\n"), "a table\ngrowth\n");
 }
@@ -168,15 +181,41 @@ std::string rowWith(const std::string& markdown, const std::string& text) {
   return "";
 }
 
-TEST(Handouts, SayThePointsOfEveryItemAndTheWeightOfEveryPart) {
-  const std::filesystem::path root = GGRADE_SOURCE_DIR "/assignments";
+/// Is there an assignment's Japanese? One without is English only.
+bool isIn(gg::Language language, const std::filesystem::path& assignment) {
+  return language == gg::Language::english || std::filesystem::exists(assignment / "words.ja.json");
+}
+
+/// A handout's language: how its files end, and what its headings of steps begin with.
+struct Written {
+  gg::Language language;
+  std::string ending, step;
+};
+const Written kWritten[] = {{gg::Language::english, ".md", "\n## Step "},
+                            {gg::Language::japanese, ".ja.md", "\n## 手順"}};
+
+class Handouts : public testing::TestWithParam<Written> {
+protected:
+  void SetUp() override { gg::setLanguage(GetParam().language); }
+  void TearDown() override { gg::setLanguage(gg::Language::english); }
+
+  std::filesystem::path root_ = GGRADE_SOURCE_DIR "/assignments";
+};
+
+INSTANTIATE_TEST_SUITE_P(Every, Handouts, testing::ValuesIn(kWritten), [](const auto& info) {
+  return std::string(gg::name(info.param.language));
+});
+
+TEST_P(Handouts, SayThePointsOfEveryItemAndTheWeightOfEveryPart) {
+  const std::string& ending = GetParam().ending;
   int items = 0;
-  for (const Assignment& assignment : loadAssignments(root)) {
-    const std::string overview = readFile(assignment.folder / "README.md");
+  for (const Assignment& assignment : loadAssignments(root_)) {
+    if (!isIn(GetParam().language, assignment.folder)) continue;
+    const std::string overview = readFile(assignment.folder / ("README" + ending));
     for (const Part& part : assignment.parts) {
       const bool alone = assignment.isOnePart();
       const std::string handout =
-          alone ? overview : readFile(assignment.folder / (part.id + ".md"));
+          alone ? overview : readFile(assignment.folder / (part.id + ending));
       for (const ItemDeclaration& item : part.items) {
         ++items;
         std::ostringstream points;
@@ -187,11 +226,12 @@ TEST(Handouts, SayThePointsOfEveryItemAndTheWeightOfEveryPart) {
       std::ostringstream weight;
       weight << " | " << 100 * part.weight << " | ";
       if (!alone) {
-        EXPECT_THAT(rowWith(overview, "](" + part.id + ".md)"), testing::HasSubstr(weight.str()));
+        EXPECT_THAT(rowWith(overview, "](" + part.id + ending + ")"),
+                    testing::HasSubstr(weight.str()));
       }
       for (const Todo& todo : part.todos) {
         const std::string number = todo.id.substr(todo.id.find('.') + 1);
-        EXPECT_THAT(handout, testing::HasSubstr("\n## Step " + number)) << todo.id;
+        EXPECT_THAT(handout, testing::HasSubstr(GetParam().step + number)) << todo.id;
         EXPECT_THAT(handout, testing::HasSubstr("(handout/" + part.id + "-" + number + ".png)"));
       }
     }
@@ -199,12 +239,23 @@ TEST(Handouts, SayThePointsOfEveryItemAndTheWeightOfEveryPart) {
   EXPECT_GT(items, 20);
 }
 
-TEST(Handouts, ShowOnlyPicturesThatAreThereAndAllOfThem) {
-  for (const Assignment& assignment :
-       loadAssignments(std::filesystem::path(GGRADE_SOURCE_DIR) / "assignments")) {
+/// The Markdown files of a folder in one language, by name.
+std::map<std::string, std::string> handoutsIn(const std::filesystem::path& folder,
+                                              const std::string& ending) {
+  std::map<std::string, std::string> texts;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.substr(std::min(name.find('.'), name.size())) == ending)
+      texts[name] = readFile(entry.path());
+  }
+  return texts;
+}
+
+TEST_P(Handouts, ShowOnlyPicturesThatAreThereAndAllOfThem) {
+  for (const Assignment& assignment : loadAssignments(root_)) {
+    if (!isIn(GetParam().language, assignment.folder)) continue;
     std::string texts;
-    for (const auto& entry : std::filesystem::directory_iterator(assignment.folder))
-      if (entry.path().extension() == ".md") texts += readFile(entry.path());
+    for (const auto& [name, text] : handoutsIn(assignment.folder, GetParam().ending)) texts += text;
     for (std::size_t at = 0; (at = texts.find("](handout/", at)) != texts.npos; ++at) {
       const std::string name = texts.substr(at + 2, texts.find(')', at) - at - 2);
       EXPECT_TRUE(std::filesystem::exists(assignment.folder / name)) << name;
@@ -212,6 +263,76 @@ TEST(Handouts, ShowOnlyPicturesThatAreThereAndAllOfThem) {
     for (const auto& entry : std::filesystem::directory_iterator(assignment.folder / "handout"))
       EXPECT_THAT(texts, testing::HasSubstr("(handout/" + entry.path().filename().string() + ")"));
   }
+}
+
+TEST_P(Handouts, BeginWithALinkToTheOtherLanguageAndLinkTextsOfTheirOwn) {
+  const bool english = GetParam().language == gg::Language::english;
+  int links = 0;
+  for (const Assignment& assignment : loadAssignments(root_)) {
+    if (!isIn(gg::Language::japanese, assignment.folder)) continue;
+    for (const auto& [name, text] : handoutsIn(assignment.folder, GetParam().ending)) {
+      const std::string stem = name.substr(0, name.find('.'));
+      const std::string other =
+          english ? "[日本語](" + stem + ".ja.md)\n\n" : "[English](" + stem + ".md)\n\n";
+      ASSERT_TRUE(text.starts_with(other)) << assignment.id << ": " << name;
+      static const std::regex kLink("\\]\\(([^):#]+\\.md)(#[^)]*)?\\)");
+      const std::string rest = text.substr(other.size());
+      for (std::sregex_iterator link(rest.begin(), rest.end(), kLink), none; link != none; ++link) {
+        ++links;
+        const std::string to = (*link)[1];
+        EXPECT_TRUE(std::filesystem::exists(assignment.folder / to)) << name << ": " << to;
+        EXPECT_EQ(to.ends_with(".ja.md"), !english) << name << ": " << to;
+      }
+    }
+  }
+  EXPECT_GT(links, 5);
+}
+
+/// What a handout has in both languages, line by line: levels of headings, directives, pictures,
+/// fences, rows of tables and entries of lists.
+std::vector<std::string> structureOf(const std::string& markdown) {
+  static const std::regex kHeading("(#+) .*"), kPicture("!\\[[^\\]]*\\]\\(([^)]*)\\)");
+  std::vector<std::string> found;
+  bool fenced = false;
+  std::istringstream in(markdown);
+  std::smatch match;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("```")) {
+      fenced = !fenced;
+      found.push_back(line);
+    } else if (fenced) {
+      continue;
+    } else if (std::regex_match(line, match, kHeading)) {
+      found.push_back(match[1]);
+    } else if (line.starts_with("{{")) {
+      found.push_back(line);
+    } else if (line.starts_with("| ")) {
+      found.push_back("a row of " + std::to_string(std::ranges::count(line, '|')));
+    } else if (line.starts_with("- ")) {
+      found.push_back("-");
+    }
+    for (std::sregex_iterator picture(line.begin(), line.end(), kPicture), none; picture != none;
+         ++picture)
+      found.push_back((*picture)[1]);
+  }
+  return found;
+}
+
+TEST(HandoutLanguages, HaveTheSameStructure) {
+  int handouts = 0;
+  for (const Assignment& assignment : loadAssignments(GGRADE_SOURCE_DIR "/assignments")) {
+    if (!isIn(gg::Language::japanese, assignment.folder)) continue;
+    const std::filesystem::path solution =
+        std::filesystem::path(GGRADE_SOURCE_DIR "/solutions") / assignment.id;
+    const auto japanese = handoutsIn(solution, ".ja.md");
+    for (const auto& [name, text] : handoutsIn(solution, ".md")) {
+      ++handouts;
+      const auto same = japanese.find(name.substr(0, name.size() - 2) + "ja.md");
+      ASSERT_NE(same, japanese.end()) << assignment.id << ": " << name << " is English only";
+      EXPECT_EQ(structureOf(same->second), structureOf(text)) << assignment.id << ": " << name;
+    }
+  }
+  EXPECT_GE(handouts, 8);
 }
 
 /// `wanted` with the attachment and sizes given as JSON text.

@@ -1,8 +1,10 @@
 #pragma once
+/// \file
+/// A piece of a test that runs in Japanese.
 
 #include "words/words.hpp"
 
-/// What is said while this lives is Japanese.
+/// Texts are Japanese as long as this lives, and English after it.
 struct InJapanese {
   InJapanese() { gg::setLanguage(gg::Language::japanese); }
   ~InJapanese() { gg::setLanguage(gg::Language::english); }

@@ -1,0 +1,5 @@
+# What students read of the assignments, in Japanese.
+ggrade_test(assignment_words_test unit
+  SOURCES ${CMAKE_CURRENT_LIST_DIR}/assignment_words_test.cpp
+  LIBRARIES ggrade_tradeoff)
+target_compile_definitions(assignment_words_test PRIVATE GGRADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
