@@ -83,8 +83,8 @@ TEST(ResultPage, IsJapaneseForWhoReadsJapanese) {
         "評価項目5個のうち3個で失点しました。", "aria-label=\"100点中61.5点\"",
         "data-columns=\"%2列のうち%1列があなたの画像\""})
     EXPECT_THAT(page, HasSubstr(text));
-  for (const char* text : {"Items", "Likely cause", "Read again", "Reference", "pixels differ",
-                           "Zoom", "How this was graded", "{{"}) {
+  for (const char* text : {"Items", "Likely cause", "Read again", "Reference",
+                           "of the pixels differ", "Zoom", "How this was graded", "{{"}) {
     EXPECT_THAT(page.substr(page.find("<body>")), Not(HasSubstr(text)));
   }
 }
