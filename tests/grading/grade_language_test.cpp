@@ -11,7 +11,6 @@ using testing::Not;
 
 namespace {
 
-/// The student's page without what programs and compilers print, and what they said.
 struct Reading {
   std::string page, terminal;
   nlohmann::json results;
@@ -21,7 +20,6 @@ Reading reading(const std::string& language) {
   const Submission submission = Submission::example("light_not_mirrored");
   const TemporaryFolder folder;
   const fs::path out = folder.path() / "out";
-  // Also before the command, and with an equals sign.
   const Ended ended =
       runTool({"--lang=" + language, "grade", "mirror", submission.path(), "--out", out});
   EXPECT_EQ(ended.signal, 0) << ended.errors;
@@ -39,9 +37,9 @@ TEST(Language, AStudentsPageIsJapaneseWithTheSameScores) {
   for (const char* text :
        {"items lost points", "Diagnosis", "First wrong", "Read again", "Likely cause",
         "the texture that objects are drawn into", "of it differs", "of the pixels differ",
-        "What was seen, and what to do", "full points", "pixels differ", "not judged", "Reference",
+        "What was seen, and what to do", "full points", "pixels differ", "Reference",
         "bright where the pictures differ", "What lost points here", "How this was graded",
-        "Every item got full credit here", "Drag on the picture", "Positions count pixels"}) {
+        "Drag on the picture", "Positions count pixels"}) {
     EXPECT_THAT(english.page, HasSubstr(text)) << "the page has changed: choose another sentence";
     EXPECT_THAT(body, Not(HasSubstr(text)));
   }
