@@ -88,8 +88,8 @@ Texts ofRubrics(const fs::path& folder) {
 
 Texts ofScenes(const fs::path& folder) {
   Texts texts;
-  for (const json& scene : readJson(folder / "scenes.json").at("scenes"))
-    texts.insert(scene.at("name"));
+  const json from = readJson(folder / "scenes.json");
+  for (const json& scene : from.at("scenes")) texts.insert(scene.at("name"));
   return texts;
 }
 
@@ -113,8 +113,8 @@ Texts ofTradeoff(const fs::path& folder) {
     }
   for (const char* kind : {"growth", "saved"})
     for (const json& one : quality.at(kind)) texts.insert(one.at("name"));
-  for (const json& sweep : readJson(folder / "tradeoff" / "figures.json").at("sweeps"))
-    texts.insert(sweep.at("error"));
+  const json figures = readJson(folder / "tradeoff" / "figures.json");
+  for (const json& sweep : figures.at("sweeps")) texts.insert(sweep.at("error"));
   return texts;
 }
 
