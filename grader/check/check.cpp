@@ -242,7 +242,8 @@ private:
       checked_.cause = observed->text;
       checked_.hint.clear();
       // A program that ended itself has said why.
-      if (result.outcome == report::Outcome::crash && !checked_.messages.empty() && !checked_.happened.signalled)
+      if (result.outcome == report::Outcome::crash && !checked_.messages.empty() &&
+          !checked_.happened.signalled)
         checked_.cause = say("The program ended itself, and said: {}", checked_.messages.front());
       for (const std::string& beside : observed->beside) checked_.hint += beside + '\n';
       return;
@@ -259,9 +260,10 @@ private:
       if (message.find(": warning: ") != message.npos) warnings.push_back(message);
     }
     for (const std::string& sampler : withoutTexture_)
-      found.push_back(say("The sampler {} reads no texture: is one bound to the texture unit that it "
-                          "is set to?",
-                          sampler));
+      found.push_back(
+          say("The sampler {} reads no texture: is one bound to the texture unit that it "
+              "is set to?",
+              sampler));
     if (!checked_.cause.empty()) {
       found.push_back(checked_.cause);
       if (!checked_.hint.empty()) found.push_back(checked_.hint);
@@ -269,10 +271,9 @@ private:
     found.insert(found.end(), warnings.begin(), warnings.end());
     if (!change_.empty()) found.push_back(change_);
     if (found.empty()) return;
-    checked_.cause = found.front();
+    checked_.cause = capitalized(found.front());
     checked_.hint.clear();
-    for (std::size_t k = 1; k < found.size(); ++k)
-      checked_.hint += (k > 1 ? "\n" : "") + found[k];
+    for (std::size_t k = 1; k < found.size(); ++k) checked_.hint += (k > 1 ? "\n" : "") + found[k];
   }
 
   const Assignment& assignment_;

@@ -28,6 +28,10 @@ std::size_t done(const Checked& checked) {
   return std::size_t(std::ranges::count(checked.rows, State::done, &Row::state));
 }
 
+bool hasWrong(const Checked& checked) {
+  return std::ranges::find(checked.rows, State::wrong, &Row::state) != checked.rows.end();
+}
+
 std::string noteOf(const Checked& checked, const Row& row) {
   // What is seen of a later TODO stands on this one.
   const bool last = std::ranges::none_of(checked.rows, [&](const Row& later) {
@@ -125,7 +129,7 @@ Data partOf(const Looked& looked) {
   part["wrong"] = std::move(wrong);
   part["hasWrong"] = Data(checked.firstWrong.has_value());
   part["wordCause"] = report::line(words("Likely cause"));
-  part["wordRead"] = report::line(words("Read again"));
+  part["wordRead"] = report::line(hasWrong(checked) ? words("Read again") : words("Next"));
   part["wordFirstWrong"] = report::line(words("First wrong picture"));
   part["wordMessages"] = report::line(words("What the program and OpenGL said"));
   return part;
@@ -208,12 +212,7 @@ std::string table(const std::vector<Looked>& all, bool colour) {
     for (const std::string& message : checked.messages) out += "  | " + message + '\n';
     if (checked.happened.outcome == report::Outcome::buildFailed) out += checked.happened.output;
     if (const std::string step = stepToRead(looked); !step.empty())
-      out += fmt::format("{}: {}\n",
-                         std::ranges::find(checked.rows, State::wrong, &Row::state) !=
-                                 checked.rows.end()
-                             ? words("Read again")
-                             : words("Next"),
-                         step);
+      out += fmt::format("{}: {}\n", hasWrong(checked) ? words("Read again") : words("Next"), step);
   }
   return out;
 }

@@ -154,11 +154,11 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
   double most = -1;
   for (std::size_t k = 1; k < judging.steps(); ++k) {
     Row& row = all[k - 1];
-    if (row.state != State::waits) continue;
-    if (row.todo == suspect) {
+    if (row.todo == suspect && row.state != State::notBegun) {
       culprit = &row;
       break;
     }
+    if (row.state != State::waits) continue;
     const bool gap =
         std::any_of(all.begin(), all.begin() + std::ptrdiff_t(k), [](const Row& before) {
           return before.state == State::notBegun && before.seen;

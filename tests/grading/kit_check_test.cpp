@@ -70,10 +70,10 @@ std::vector<Window> windows() {
       {"framebuffer object left bound", "floor.cpp", kEndOfMirror,
        "      glViewport(0, 0, window.width(), window.height());\n", "is still bound"},
       {"window not cleared", "floor.cpp", kClear, "    light.load(scene.light.in(view));",
-       "was not cleared"},
+       "was not cleared in this frame"},
       {"depth not cleared", "floor.cpp", kClear,
        "    glClear(GL_COLOR_BUFFER_BIT);\n    light.load(scene.light.in(view));",
-       "depth of the window was not cleared"},
+       "epth of the window was not cleared"},
       {"viewport of the framebuffer object", "floor.cpp", kEndOfMirror,
        "      glBindFramebuffer(GL_FRAMEBUFFER, 0);\n", "viewport is 1024 x 1024"},
       {"empty viewport", "floor.cpp", kEndOfMirror,
@@ -84,7 +84,7 @@ std::vector<Window> windows() {
       {"shader that doesn't compile", "object.frag", "void main() {",
        "void main() {\n  vec3 wrong = 1.0;", "shader doesn't compile"},
       {"sampler on another unit", "floor.cpp", "tileProgram.set(\"uReflection\", 0);",
-       "tileProgram.set(\"uReflection\", 3);", "sampler uReflection reads no texture"},
+       "tileProgram.set(\"uReflection\", 3);", "ampler uReflection reads no texture"},
       {"texture that lacks mipmaps", "mirror.hpp",
        "glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);", "", "mipmaps"},
       {"out of view", "floor.cpp",
@@ -112,7 +112,7 @@ std::vector<Window> windows() {
        "    glClear(GL_COLOR_BUFFER_BIT);\n    window.swapBuffers();",
        "cleared after the last draw"},
       {"culling left", "floor.cpp", "      glCullFace(GL_BACK);\n", "",
-       "culling is left at GL_FRONT"},
+       "ulling is left at GL_FRONT"},
   };
 }
 

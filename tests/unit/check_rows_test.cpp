@@ -100,6 +100,9 @@ TEST(CheckRows, OfTwoThatChangeTheSamePictureTheOneThatChangesWhatIsWrong) {
 TEST(CheckRows, AKnownMistakePointsToItsTodo) {
   const SceneViews views = seen(painted(kTexture, 0.5f, 0, 1, 1, 0.9f), kWindow);
   EXPECT_EQ(states(views, first(5), "m.4"), "dddwt");
+  // Also to one whose own picture is right, as when a state is left behind.
+  const SceneViews later = seen(kTexture, painted(kWindow, 0, 0, 1, 1, 0.1f));
+  EXPECT_EQ(states(later, first(4), "m.4"), "dddwn");
 }
 
 TEST(CheckRows, WhatWasLeftOutIsWaitedFor) {
