@@ -250,7 +250,7 @@ private:
     }
     std::vector<std::string> found = stateFaults_;
     std::vector<std::string> warnings;
-    const std::string doctor(words("frame doctor: "));
+    const std::string doctor = say("frame doctor: {}", "");
     bool asked = false;
     for (const std::string& message : checked_.messages) {
       if (message.starts_with(doctor) && !asked) {

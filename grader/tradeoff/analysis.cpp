@@ -165,18 +165,19 @@ std::optional<Growth> growthOf(const std::vector<double>& x, const std::vector<d
 namespace {
 
 // What is said of a number. Of two places side by side the second is a share in brackets, or empty.
-constexpr char kOneValue[] = "{} has one value only: {} at {}.";
-constexpr char kNoDifference[] =
-    "{} makes no difference to the error here: {} to {} at every value.";
-constexpr char kFalls[] = "The error falls with {}: from {} at {} to {} at {}.";
-constexpr char kStays[] = "The error does not fall with {}: {} at {}, and {} at {}{}.";
-constexpr char kRises[] =
-    "The error does not fall with {}: {} at {}, and it has risen to {} at {}{}.";
-constexpr char kStaysBeyond[] =
-    "The error does not fall beyond {} {}: from {} at {} to {} there; {} at {}{}.";
-constexpr char kRisesBeyond[] =
-    "The error does not fall beyond {} {}: from {} at {} to {} there; it has risen to {} at {}{}.";
-constexpr char kOnTheWay[] = "On the way it rises from {} at {} to {} at {}.";
+constexpr std::string_view kOneValue = gg::tag("{} has one value only: {} at {}.");
+constexpr std::string_view kNoDifference =
+    gg::tag("{} makes no difference to the error here: {} to {} at every value.");
+constexpr std::string_view kFalls = gg::tag("The error falls with {}: from {} at {} to {} at {}.");
+constexpr std::string_view kStays =
+    gg::tag("The error does not fall with {}: {} at {}, and {} at {}{}.");
+constexpr std::string_view kRises =
+    gg::tag("The error does not fall with {}: {} at {}, and it has risen to {} at {}{}.");
+constexpr std::string_view kStaysBeyond =
+    gg::tag("The error does not fall beyond {} {}: from {} at {} to {} there; {} at {}{}.");
+constexpr std::string_view kRisesBeyond = gg::tag(
+    "The error does not fall beyond {} {}: from {} at {} to {} there; it has risen to {} at {}{}.");
+constexpr std::string_view kOnTheWay = gg::tag("On the way it rises from {} at {} to {} at {}.");
 
 /// Finds a sentence and what stands in its places, none of which has a space in it.
 std::regex patternOf(const std::string& sentence) {
@@ -230,9 +231,9 @@ std::string fallText(const std::string& number, const std::vector<std::string>& 
 std::string fallInWords(const std::string& fall) {
   if (gg::language() == gg::Language::english) return fall;
   std::string said, rest = fall;
-  for (const char* sentence :
+  for (const std::string_view sentence :
        {kOneValue, kNoDifference, kFalls, kStays, kRises, kStaysBeyond, kRisesBeyond, kOnTheWay}) {
-    const std::regex pattern = patternOf(sentence);
+    const std::regex pattern = patternOf(std::string(sentence));
     for (std::smatch match;
          std::regex_search(rest, match, pattern, std::regex_constants::match_continuous);) {
       fmt::dynamic_format_arg_store<fmt::format_context> values;
