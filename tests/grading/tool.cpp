@@ -226,10 +226,12 @@ Graded gradePart(const std::string& part, const fs::path& folder, const Argument
   const TemporaryFolder results;
   // Most tests are about points; known mistakes need not be drawn for them.
   Arguments arguments = {"grade", part, folder, "--out", results.path() / "out", "--no-diagnosis"};
-  if (std::ranges::find(more, kDiagnosed) != more.end()) arguments.pop_back();
+  const bool diagnosed = std::ranges::find(more, kDiagnosed) != more.end();
+  if (diagnosed) arguments.pop_back();
   std::ranges::copy_if(more, std::back_inserter(arguments),
                        [](const std::string& one) { return one != kDiagnosed; });
-  Graded graded{runTool(arguments, environment), {}};
+  // The first diagnosis of a part draws all of its mistakes.
+  Graded graded{runTool(arguments, environment, diagnosed ? 400 : 100), {}};
   EXPECT_FALSE(graded.ended.late);
   const fs::path file = results.path() / "out/results.json";
   if (!fs::exists(file)) throw std::runtime_error("no results.json: " + graded.ended.errors);
