@@ -398,7 +398,7 @@ TEST(Commands, GradeWritesEveryFileOfTheContract) {
 TEST(Commands, DemoShowsEveryExampleAsItMustEnd) {
   const TemporaryFolder folder;
   // What every part's mistakes show is drawn first where no test before has done it.
-  const Ended ended = runTool({"demo", "--out", folder.path() / "demo"}, {}, 1100);
+  const Ended ended = runTool({"demo", "--out", folder.path() / "demo"}, {}, 1700);
   EXPECT_EQ(ended.exitCode, 0) << ended.errors;
   const std::string page = read(folder.path() / "demo/index.html");
   std::vector<std::pair<std::string, std::string>> expected;

@@ -8,7 +8,7 @@ file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/grade_*_test.cpp)
 foreach(part passes pyramid)
   list(APPEND sources ${PROJECT_SOURCE_DIR}/solutions/floor/rubric_${part}.cpp)
 endforeach()
-ggrade_test(grading_test grading SOURCES ${sources} LIBRARIES grading_tool TIMEOUT 1200)
+ggrade_test(grading_test grading SOURCES ${sources} LIBRARIES grading_tool TIMEOUT 1800)
 add_dependencies(grading_test ggrade_tool ggrade_compare floor floor_solution)
 # What a copy of the tree is built with, as this one is.
 find_package(Git REQUIRED)
