@@ -162,6 +162,17 @@ private:
     std::string suspect;
     if (first) suspect = likeliest(scenes[first->scene]);
     checked_.rows = rows(expected_, shown_, begun_, suspect);
+    // A call that fails does nothing, whether that is seen already or not.
+    const auto notRight = [](const Row& row) {
+      return row.state == State::wrong || row.state == State::waits;
+    };
+    if (checked_.happened.outcome == report::Outcome::glError &&
+        std::ranges::none_of(checked_.rows, notRight))
+      for (auto row = checked_.rows.rbegin(); row != checked_.rows.rend(); ++row)
+        if (row->state == State::done) {
+          row->state = State::wrong;
+          break;
+        }
     // Right is what the windows show, however the passes are made.
     const bool allDone = std::ranges::all_of(checked_.rows, [&](const Row& row) {
       return row.state == State::done || row.state == State::notBegun;
