@@ -406,9 +406,8 @@ TEST(Commands, DemoShowsEveryExampleAsItMustEnd) {
     const fs::path examples = kSource / "solutions" / id / "examples";
     if (!fs::exists(examples)) continue;
     std::vector<std::string> targets;
-    for (const json& part :
-         json::parse(read(kSource / "assignments" / id / "assignment.json")).at("parts"))
-      targets.push_back(part.at("id"));
+    const json declared = json::parse(read(kSource / "assignments" / id / "assignment.json"));
+    for (const json& part : declared.at("parts")) targets.push_back(part.at("id"));
     if (targets.size() > 1) targets.push_back(id);
     for (const std::string& target : targets) {
       expected.emplace_back(target + "-reference", "graded");

@@ -138,6 +138,16 @@ TEST_F(Check, NamesAKnownMistakeAndItsTodo) {
   EXPECT_EQ(part.at("todos").at(1).at("state"), "done");
 }
 
+TEST_F(Check, AnErrorOfOpenGlIsNeverDone) {
+  Submission submission = Submission::firstSteps(1);
+  submission.replace("mirror.hpp", "  glBindFramebuffer(GL_FRAMEBUFFER, reflection.framebuffer);\n",
+                     "");
+  const json part = checked(submission.path());
+  EXPECT_EQ(part.at("outcome"), "gl_error");
+  EXPECT_EQ(part.at("todos").at(0).at("state"), "wrong");
+  EXPECT_THAT(part.at("cause").get<std::string>(), HasSubstr("OpenGL reports errors"));
+}
+
 TEST_F(Check, AProgramThatDoesNotCompileIsNamedWithItsLine) {
   const Ended ended = Running(command(Submission::example("build_error").path())).wait(100);
   EXPECT_EQ(ended.exitCode, 1);
