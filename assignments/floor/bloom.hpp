@@ -128,4 +128,5 @@ inline void compositePass(const Bloom& bloom, const glm::ivec2& window, bool glo
   bloom.composite.set("uGlows", glows);
   bloom.composite.set("uSize", glm::vec2(window));
   bloom.composite.set("uFilter", filter);
+  // Then TODO(bloom.2) draws.
 }

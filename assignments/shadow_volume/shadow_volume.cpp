@@ -159,6 +159,7 @@ void app(const gg::Scene& scene) {
       //   and front faces decrement. Nothing of the volume may be cut off: GL_DEPTH_CLAMP, until it
       //   is drawn.
       //   Expect: right also with the eye in a shadow.           (README.md, step 5)
+      // Then TODO(shadow_volume.3) draws.
     }
     glStencilMask(0xff);
 

@@ -202,6 +202,7 @@ inline void compositePass(const Bloom& bloom, const glm::ivec2& window, bool glo
     glBindSampler(1, bloom.sampler);
   }
   // END SOLUTION(bloom.6)
+  // Then TODO(bloom.2) draws.
   // BEGIN SOLUTION(bloom.2)
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   glViewport(0, 0, window.x, window.y);

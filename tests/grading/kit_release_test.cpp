@@ -58,7 +58,12 @@ TEST(Kit, HoldsNoSolutionAndKnowsEveryStep) {
   EXPECT_THAT(ended.out, HasSubstr("kit.zip"));
   for (const ggrade::Assignment& assignment : ggrade::loadAssignments(kSource / "assignments")) {
     SCOPED_TRACE(assignment.id);
-    EXPECT_GE(expectNoSolutionIn(assignment, kit), 1);
+    // No line of it where the assignment's own files are, and no block of several lines anywhere.
+    EXPECT_GE(expectNoSolutionIn(assignment, kit / "assignments" / assignment.id), 1);
+    for (const ggrade::Part& part : assignment.parts)
+      expectNoSolutionIn(assignment, kit / "expected" / part.id);
+    for (const char* name : {"framework", "grader", "cmake"})
+      expectNoSolutionIn(assignment, kit / name, true);
     for (const auto& entry : fs::directory_iterator(kSource / "assignments" / assignment.id))
       if (entry.is_regular_file()) {
         EXPECT_EQ(read(kit / "assignments" / assignment.id / entry.path().filename()),

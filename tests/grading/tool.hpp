@@ -122,9 +122,11 @@ Graded gradePart(const std::string& part, const fs::path& folder, const Argument
                  const Environment& environment = {});
 Graded gradePart(const std::string& part, const Submission& submission);
 
-/// Expects no line of an assignment's solution in any file under `handedOut`. Returns the number of
-/// blocks that the solution has.
-int expectNoSolutionIn(const ggrade::Assignment& assignment, const fs::path& handedOut);
+/// Expects no line of an assignment's solution in any file under `handedOut`; with `wholeBlocks` no
+/// block of several lines (single ones any program has). Returns the number of blocks that the
+/// solution has.
+int expectNoSolutionIn(const ggrade::Assignment& assignment, const fs::path& handedOut,
+                       bool wholeBlocks = false);
 
 /// A whole file as text; fails the test where there is none.
 std::string read(const fs::path& file);
