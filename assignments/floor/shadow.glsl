@@ -21,6 +21,8 @@ float visibility(vec3 world, vec3 normal) {
   // TODO(shadow.6): bonus: no constant bias. If uShadowBias is 3, move the point off its surface along
   //   `normal`, by more where the light grazes, before all else. A texel there is uShadowTexel * (clip
   //   space w) wide. If it is 2, glPolygonOffset while the map is drawn (floor.cpp).
+  // Then TODO(shadow.4) goes on.
   // TODO(shadow.5): bonus: if uPcfRadius > 0, the mean over (2 * uPcfRadius + 1)^2 neighbouring texels.
+  // Then TODO(shadow.4) goes on.
   return 1.0;
 }

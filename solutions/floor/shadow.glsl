@@ -34,6 +34,7 @@ float visibility(vec3 world, vec3 normal) {
     world += texel * reach * (normal * sqrt(1.0 - cosine * cosine) + 0.2 * toLight);
   }
   // END SOLUTION(shadow.6)
+  // Then TODO(shadow.4) goes on.
   // BEGIN SOLUTION(shadow.4)
   vec4 clip = uLightClipFromWorld * vec4(world, 1);
   if (clip.w <= 0.0) return 1.0;
@@ -54,6 +55,7 @@ float visibility(vec3 world, vec3 normal) {
     return sum / float((2 * uPcfRadius + 1) * (2 * uPcfRadius + 1));
   }
   // END SOLUTION(shadow.5)
+  // Then TODO(shadow.4) goes on.
   // BEGIN SOLUTION(shadow.4)
   return texture(uShadowMap, at);
   // END SOLUTION(shadow.4)
