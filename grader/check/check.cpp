@@ -25,15 +25,11 @@ using gg::words;
 
 namespace {
 
-bool isCompiled(const fs::path& file) {
-  return file.extension() == ".cpp" || file.extension() == ".hpp" || file.extension() == ".h";
-}
-
 /// All that the compiler reads.
 std::string compiledText(const fs::path& folder) {
   std::set<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (isCompiled(entry.path())) files.insert(entry.path());
+    if (grading::isCompiled(entry.path())) files.insert(entry.path());
   std::string text;
   for (const fs::path& file : files) text += file.filename().string() + '\n' + readFile(file);
   return text;
@@ -87,6 +83,9 @@ public:
 
   Checked run() {
     begun_ = begun(stubFolder(expected_.folder), folder_);
+    step_ = expectedStep(expected_, begun_);
+    checked_.expectedWindow = readPng(stepPicture(expected_.folder, step_));
+    checked_.finishedWindow = readPng(stepPicture(expected_.folder, expected_.todos.size()));
     checked_.rows = notJudged();
     const fs::path program = work_ / "program";
     report::makeFolder(program);
@@ -125,7 +124,7 @@ private:
         facts_ = grading::factsOf(rendering.capture, rendering.capture.trace);
         stateFaults_ = diagnosis::stateFaults(rendering.capture.trace);
         const std::set<std::string> with = diagnosis::samplersWithTexture(rendering.capture.trace);
-        for (const std::string& sampler : expected_.samplers[expectedStep(expected_, begun_)])
+        for (const std::string& sampler : expected_.samplers[step_])
           if (!with.count(sampler)) withoutTexture_.push_back(sampler);
         if (!frames.empty()) checked_.window = rubric::toImage(frames.front());
         checked_.happened = rendering.happened;
@@ -134,9 +133,7 @@ private:
         checked_.happened = rendering.happened;
         return;
       }
-      std::vector<Image> images;
-      for (const rubric::RawFrame& frame : frames) images.push_back(rubric::toImage(frame));
-      shown_.back() = diagnosis::views(images, rendering.capture.trace);
+      shown_.back() = diagnosis::views(rubric::toImages(frames), rendering.capture.trace);
     }
   }
 
@@ -156,28 +153,20 @@ private:
         student.push_back(*shown_[i]);
         scenes.push_back(i);
       }
-    const std::size_t step = expectedStep(expected_, begun_);
-    const diagnosis::Run should = drawn(expected_.steps[step]);
+    const diagnosis::Run should = drawn(expected_.steps[step_]);
     const auto first = diagnosis::firstWrong(student, should);
     std::string suspect;
     if (first) suspect = likeliest(scenes[first->scene]);
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     // A call that fails does nothing, whether that is seen already or not.
-    const auto notRight = [](const Row& row) {
-      return row.state == State::wrong || row.state == State::waits;
-    };
-    if (checked_.happened.outcome == report::Outcome::glError &&
-        std::ranges::none_of(checked_.rows, notRight))
+    if (checked_.happened.outcome == report::Outcome::glError && allRight(checked_.rows))
       for (auto row = checked_.rows.rbegin(); row != checked_.rows.rend(); ++row)
         if (row->state == State::done) {
           row->state = State::wrong;
           break;
         }
     // Right is what the windows show, however the passes are made.
-    const bool allDone = std::ranges::all_of(checked_.rows, [&](const Row& row) {
-      return row.state == State::done || row.state == State::notBegun;
-    });
-    if (allDone) {
+    if (allRight(checked_.rows)) {
       checked_.cause.clear();
       checked_.hint.clear();
     } else if (first) {
@@ -241,10 +230,7 @@ private:
   /// What needs no picture to be told goes before what pictures tell: how the run ended, what the
   /// frame doctor found, what state OpenGL was in.
   void outcome() {
-    const bool right = std::ranges::none_of(checked_.rows, [](const Row& row) {
-      return row.state == State::wrong || row.state == State::waits;
-    });
-    if (right && checked_.happened.outcome == report::Outcome::graded) return;
+    if (allRight(checked_.rows) && checked_.happened.outcome == report::Outcome::graded) return;
     report::Result result;
     result.outcome = checked_.happened.outcome;
     result.detail = checked_.happened.detail;
@@ -292,6 +278,7 @@ private:
   const fs::path& folder_;
   const fs::path& work_;
   std::set<std::string> begun_;
+  std::size_t step_ = 0; // up to which the program should be right
   std::string compilerOutput_;
   diagnosis::Facts facts_;
   std::vector<std::string> stateFaults_;
@@ -307,9 +294,6 @@ Checked check(const Assignment& assignment, const Expected& expected, const fs::
               const fs::path& work) {
   const auto start = std::chrono::steady_clock::now();
   Checked checked = Check(assignment, expected, folder, work).run();
-  const std::size_t step = expectedStep(expected, begun(stubFolder(expected.folder), folder));
-  checked.expectedWindow = readPng(stepPicture(expected.folder, step));
-  checked.finishedWindow = readPng(stepPicture(expected.folder, expected.todos.size()));
   checked.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return checked;
 }

@@ -118,10 +118,7 @@ private:
       fmt::print("{}{}\n", table(all, terminal && !std::getenv("NO_COLOR")), out_.string());
     std::fflush(stdout);
     const bool right = std::ranges::all_of(all, [](const Looked& looked) {
-      return looked.checked.happened.ok() &&
-             std::ranges::none_of(looked.checked.rows, [](const Row& row) {
-               return row.state == State::wrong || row.state == State::waits;
-             });
+      return looked.checked.happened.ok() && allRight(looked.checked.rows);
     });
     return right ? kRight : kWrong;
   }

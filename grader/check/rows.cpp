@@ -120,6 +120,11 @@ private:
 
 } // namespace
 
+bool allRight(const std::vector<Row>& rows) {
+  return std::ranges::none_of(
+      rows, [](const Row& row) { return row.state == State::wrong || row.state == State::waits; });
+}
+
 std::size_t expectedStep(const Expected& expected, const std::set<std::string>& begun) {
   std::size_t step = 0;
   for (std::size_t k = 1; k <= expected.todos.size(); ++k)

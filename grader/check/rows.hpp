@@ -25,6 +25,9 @@ struct Row {
   bool seen = true; ///< false: no scene that was drawn shows anything of it
 };
 
+/// Is nothing wrong or waiting for what is?
+bool allRight(const std::vector<Row>& rows);
+
 /// What a program showed in the first scenes of `Expected`; nothing for one that was not drawn.
 using Shown = std::vector<std::optional<diagnosis::SceneViews>>;
 

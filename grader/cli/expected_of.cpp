@@ -128,9 +128,8 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
     for (std::size_t k = 0; k < shown.size(); ++k)
       expected.faults[shown[k]].signature.run[i] = signatures[k].run.at(0);
   }
-  std::set<std::string> handedOut = filled.front();
-  for (const std::string& todo : allTodos(assignment))
-    if (blank.count(todo)) handedOut.erase(todo);
+  std::set<std::string> handedOut = allTodos(assignment);
+  for (const std::string& todo : blank) handedOut.erase(todo);
   report::makeFolder(check::stubFolder(into));
   writeSources(assignment, solutions, handedOut, check::stubFolder(into));
   for (std::size_t k = 0; k < filled.size(); ++k) {

@@ -255,8 +255,7 @@ bool passIsLost(const std::optional<FirstWrong>& first) {
 /// however alike the windows are.
 bool passIsRight(const Run& student, const FirstWrong& theirs, const Run& reference) {
   const Image* const ours = pictureAt(student[theirs.scene], *theirs.slot);
-  return ours &&
-         mean(distance(pictureAt(reference[theirs.scene], *theirs.slot), ours)) < kWrongShare;
+  return ours && alike(pictureAt(reference[theirs.scene], *theirs.slot), ours);
 }
 
 bool windowsShowNothing(const Run& student) {

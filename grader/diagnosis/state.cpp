@@ -58,16 +58,19 @@ std::vector<std::string> stateFaults(const trace::Trace& trace) {
       add(say("Something is drawn while no program is in use, which draws nothing: call use() (or "
               "glUseProgram) before it."));
     if (all([](const StepRecord& step) { return step.colorMask == 0; }))
-      add(say("No colour is written: glColorMask is closed while the window is drawn. Open it again "
-              "with GL_TRUE."));
+      add(say(
+          "No colour is written: glColorMask is closed while the window is drawn. Open it again "
+          "with GL_TRUE."));
     if (any(isEmptyScissor))
       add(say("The scissor test is on and its rectangle is empty, so nothing is drawn: disable "
               "GL_SCISSOR_TEST."));
     if (any(nothingPasses))
-      add(say("The depth test lets nothing pass: glDepthFunc is GL_NEVER. The usual one is GL_LESS."));
+      add(say(
+          "The depth test lets nothing pass: glDepthFunc is GL_NEVER. The usual one is GL_LESS."));
     if (all(blendsToNothing))
-      add(say("Blending is on with a factor of GL_ZERO for what is drawn, so nothing of it arrives: "
-              "disable GL_BLEND, or set glBlendFunc."));
+      add(say(
+          "Blending is on with a factor of GL_ZERO for what is drawn, so nothing of it arrives: "
+          "disable GL_BLEND, or set glBlendFunc."));
     if (any([](const StepRecord& step) { return step.cullFace == GL_FRONT_AND_BACK; }))
       add(say("Front and back faces are culled, so no triangle is drawn: glCullFace(GL_BACK)."));
     if (any([](const StepRecord& step) { return step.viewport[2] <= 0 || step.viewport[3] <= 0; }))
@@ -75,14 +78,14 @@ std::vector<std::string> stateFaults(const trace::Trace& trace) {
     if (any([](const StepRecord& step) { return step.depthTest != 0; }) &&
         std::ranges::none_of(
             steps, [](const StepRecord& step) { return step.depthTest && step.depthWrite; }))
-      add(say("The depth test is on, but nothing writes depth: glDepthMask is GL_FALSE. Then what is "
-              "drawn later hides what is nearer, and clearing the depth does nothing."));
+      add(say(
+          "The depth test is on, but nothing writes depth: glDepthMask is GL_FALSE. Then what is "
+          "drawn later hides what is nearer, and clearing the depth does nothing."));
     bool drawn = false;
     for (const PassRecord& pass : trace.passesOf(frame)) {
       if (!isWindow(pass)) continue;
       const bool depthCleared = pass.cleared >> trace::kDepth & 1;
-      if (pass.draws > 0 && depthCleared && pass.clearDepth <= 0 &&
-          any([](const StepRecord& step) {
+      if (pass.draws > 0 && depthCleared && pass.clearDepth <= 0 && any([](const StepRecord& step) {
             return step.depthTest == GL_LESS || step.depthTest == GL_LEQUAL;
           }))
         add(say("The depth buffer is cleared to 0, the nearest there is, so everything lies behind "

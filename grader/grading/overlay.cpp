@@ -55,6 +55,11 @@ bool has(const std::vector<std::string>& list, const std::string& value) {
 
 } // namespace
 
+bool isCompiled(const fs::path& file) {
+  const std::string extension = file.extension();
+  return extension == ".cpp" || extension == ".hpp" || extension == ".h";
+}
+
 bool takes(const Assignment& assignment, const std::string& name) {
   return has(assignment.files, name) ||
          std::any_of(assignment.optionalFiles.begin(), assignment.optionalFiles.end(),

@@ -24,6 +24,9 @@ struct Overlay {
   std::vector<std::string> unused; ///< what else the upload holds, each with the reason
 };
 
+/// Is this read by the compiler, not by the program when it runs?
+bool isCompiled(const std::filesystem::path& file);
+
 /// Does an upload's file of this name count: one that is edited, or matches an optional pattern?
 bool takes(const Assignment& assignment, const std::string& name);
 

@@ -21,11 +21,6 @@ namespace {
 /// Raise it when views or their files change, so that what was kept is made again.
 constexpr int kLayout = 4;
 
-bool isCompiled(const std::string& file) {
-  const std::string extension = fs::path(file).extension();
-  return extension == ".cpp" || extension == ".hpp" || extension == ".h";
-}
-
 /// Files into `into`: the solution's, as `faulty` has them. Throws UsageError.
 void writeSources(const Assignment& assignment, const fs::path& solutionFolder,
                   const Faulty& faulty, const fs::path& into) {
@@ -66,16 +61,10 @@ bool build(const Assignment& assignment, const fs::path& sources, const fs::path
   return true;
 }
 
-std::vector<Image> imagesOf(const std::vector<rubric::RawFrame>& frames) {
-  std::vector<Image> images;
-  for (const rubric::RawFrame& frame : frames) images.push_back(rubric::toImage(frame));
-  return images;
-}
-
 } // namespace
 
 std::vector<Image> framesIn(const fs::path& folder) {
-  return imagesOf(rubric::readFrames(folder));
+  return rubric::toImages(rubric::readFrames(folder));
 }
 
 diagnosis::SceneViews viewsIn(const fs::path& folder) {
@@ -134,7 +123,8 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
           // Our own machine's fault must not be kept as if the program showed nothing.
           if (rendering.happened.outcome == report::Outcome::notGradable)
             throw std::runtime_error(faulty.name + ": " + rendering.happened.detail);
-          seen = diagnosis::views(imagesOf(rawFrames(rendering.capture)), rendering.capture.trace);
+          seen = diagnosis::views(rubric::toImages(rawFrames(rendering.capture)),
+                                  rendering.capture.trace);
         }
         const fs::path written = work.path() / "views";
         diagnosis::save(seen, &reference(scenes[i]), written);

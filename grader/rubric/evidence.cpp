@@ -23,10 +23,7 @@ void write(const fs::path& path, const void* data, std::size_t size) {
 }
 
 Frames readImages(const json& folder) {
-  Frames images;
-  for (const RawFrame& frame : readFrames(folder.get<std::string>()))
-    images.push_back(toImage(frame));
-  return images;
+  return toImages(readFrames(folder.get<std::string>()));
 }
 
 } // namespace
@@ -88,6 +85,12 @@ std::vector<RawFrame> readFrames(const fs::path& folder) {
     frames.push_back(std::move(frame));
   }
   return frames;
+}
+
+std::vector<Image> toImages(const std::vector<RawFrame>& frames) {
+  std::vector<Image> images;
+  for (const RawFrame& frame : frames) images.push_back(toImage(frame));
+  return images;
 }
 
 Image toImage(const RawFrame& frame) {

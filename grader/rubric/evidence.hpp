@@ -31,6 +31,7 @@ std::vector<RawFrame> readFrames(const std::filesystem::path& folder);
 
 /// RGB, 0 to 1.
 Image toImage(const RawFrame& frame);
+std::vector<Image> toImages(const std::vector<RawFrame>& frames);
 
 using Frames = std::vector<Image>;
 

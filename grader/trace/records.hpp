@@ -86,9 +86,9 @@ struct PassRecord {
   /// Of draws: the colour attachment that each of the fragment shader's outputs goes to, by
   /// location; kColors or more: none.
   std::uint8_t attachmentOfOutput[kColors];
-  std::uint32_t cleared;     ///< mask of attachments that a clear of this pass covered
-  std::uint32_t written;     ///< mask of attachments that clears or draws can have changed
-  float clearColor[4];       ///< of the last clear of colour
+  std::uint32_t cleared; ///< mask of attachments that a clear of this pass covered
+  std::uint32_t written; ///< mask of attachments that clears or draws can have changed
+  float clearColor[4];   ///< of the last clear of colour
   float clearDepth;
   std::uint32_t clearStencil;
   /// x, y, width, height at the first draw (clear, if there is none); of a blit: what it fills
