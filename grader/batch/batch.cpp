@@ -117,7 +117,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
 
   const grading::ScenePlan plan = grading::drawScenes(target, solutionFolder, options.draw);
   grading::prepareReferences(target, solutionFolder, plan, preparing);
-  const std::string grader = grading::hashOf(grading::gradingKey(target, solutionFolder, plan));
+  const std::string grader = graderOf(target, solutionFolder, plan);
   std::vector<Job> jobs;
   std::size_t otherGrader = 0;
   for (intake::Upload& upload : intake.uploads) {
@@ -136,7 +136,8 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
 
   if (otherGrader > 0)
     outcome.remarks.push_back(fmt::format("{} of the results here are from before the tool, the "
-                                          "points or the solution changed: graded again",
+                                          "points, the solution or the language changed: graded "
+                                          "again",
                                           otherGrader));
 
   PoolOptions pool;

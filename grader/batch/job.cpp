@@ -3,6 +3,7 @@
 #include "grading/references.hpp"
 #include "intake/files.hpp"
 #include "intake/limits.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -111,6 +112,13 @@ std::string keyOf(const intake::Upload& upload) {
   for (const intake::Source& source : upload.sources)
     all += fmt::format("{}:{} {}", source.name.size(), source.name, content.of(source.path));
   return grading::hashOf(all);
+}
+
+std::string graderOf(const Target& target, const fs::path& solutionFolder,
+                     const grading::ScenePlan& plan) {
+  return grading::hashOf(grading::gradingKey(target, solutionFolder, plan) +
+                         std::string(gg::name(gg::language())) +
+                         grading::wordsKey(target.assignment, solutionFolder));
 }
 
 } // namespace ggrade::batch

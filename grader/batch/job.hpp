@@ -2,6 +2,7 @@
 /// \file
 /// One upload on its way to a result, as a batch hands it to a worker.
 
+#include "grading/scenes.hpp"
 #include "intake/find_uploads.hpp"
 
 #include <nlohmann/json_fwd.hpp>
@@ -30,5 +31,10 @@ Answer answerFrom(const nlohmann::json& line);
 
 /// A hash of everything that an upload holds, read as far as an upload is ever read.
 std::string keyOf(const intake::Upload& upload);
+
+/// A hash of all else that a result depends on: the tool, the points, the solution, the scenes, and
+/// the words in which it is told.
+std::string graderOf(const Target& target, const std::filesystem::path& solutionFolder,
+                     const grading::ScenePlan& plan);
 
 } // namespace ggrade::batch

@@ -31,8 +31,7 @@ public:
       : target_(target), options_(options),
         plan_(grading::drawScenes(target, solutionFolder, options.draw)),
         references_(grading::prepareReferences(target, solutionFolder, plan_, quiet)),
-        judge_(target, references_.scenes),
-        grader_(grading::hashOf(grading::gradingKey(target, solutionFolder, plan_))) {
+        judge_(target, references_.scenes), grader_(graderOf(target, solutionFolder, plan_)) {
     how_.threads = 1;
     how_.referencePictures = std::make_shared<grading::ReferencePictures>();
     how_.judging = [this](const auto& scenes, const fs::path& work, std::string& problem,

@@ -79,26 +79,24 @@ class Check {
 public:
   Check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
         const fs::path& work)
-      : assignment_(assignment), expected_(expected), folder_(folder), work_(work) {}
+      : assignment_(assignment), expected_(expected), folder_(folder), work_(work),
+        windows_(expected.scenes.size()) {}
 
   Checked run() {
     begun_ = begun(stubFolder(expected_.folder), folder_);
     step_ = expectedStep(expected_, begun_);
-    checked_.expectedWindow = readPng(stepPicture(expected_.folder, step_));
-    checked_.finishedWindow = readPng(stepPicture(expected_.folder, expected_.todos.size()));
     checked_.rows = notJudged();
     const fs::path program = work_ / "program";
     report::makeFolder(program);
     report::makeFolder(work_ / "shaders");
     checked_.happened = build(assignment_, folder_, program);
     compilerOutput_ = checked_.happened.output;
-    if (!checked_.happened.ok()) {
-      outcome();
-      return std::move(checked_);
+    if (checked_.happened.ok()) {
+      draw(program);
+      if (!shown_.empty() && shown_[0]) judge();
     }
-    draw(program);
-    if (!shown_.empty() && shown_[0]) judge();
     outcome();
+    showWindows();
     return std::move(checked_);
   }
 
@@ -119,6 +117,7 @@ private:
           assignment_.id, program, scene.scene, scene.times, {work_ / "shaders"},
           sandbox::Isolation::none, grading::gradingRequest(), {}, i == 0);
       const std::vector<rubric::RawFrame> frames = grading::rawFrames(rendering.capture);
+      if (!frames.empty()) windows_[i] = rubric::toImage(frames.front());
       if (i == 0) {
         checked_.messages = messagesOf(rendering);
         facts_ = grading::factsOf(rendering.capture, rendering.capture.trace);
@@ -126,7 +125,6 @@ private:
         const std::set<std::string> with = diagnosis::samplersWithTexture(rendering.capture.trace);
         for (const std::string& sampler : expected_.samplers[step_])
           if (!with.count(sampler)) withoutTexture_.push_back(sampler);
-        if (!frames.empty()) checked_.window = rubric::toImage(frames.front());
         checked_.happened = rendering.happened;
       }
       if (!rendering.happened.ok()) {
@@ -206,7 +204,7 @@ private:
     Wrong wrong;
     wrong.name =
         first.slot ? diagnosis::words(*first.slot) : say("the window, frame {}", first.frame + 1);
-    wrong.scene = expected_.scenes[scenes[first.scene]].name;
+    wrong.scene = scenes[first.scene];
     wrong.share = first.share;
     const auto picture = [&](const SceneViews& views) -> const Image* {
       if (!first.slot)
@@ -273,6 +271,21 @@ private:
     for (std::size_t k = 1; k < found.size(); ++k) checked_.hint += (k > 1 ? "\n" : "") + found[k];
   }
 
+  /// The windows of the scene that is spoken of: of the first wrong picture; if all is right, of
+  /// the last TODO's own scene, which shows what it has done.
+  void showWindows() {
+    std::size_t scene = 0;
+    if (checked_.firstWrong)
+      scene = checked_.firstWrong->scene;
+    else if (step_ > 0 && allRight(checked_.rows))
+      for (std::size_t i = 0; i < expected_.scenes.size(); ++i)
+        if (expected_.scenes[i].todo == expected_.todos[step_ - 1]) scene = i;
+    checked_.scene = scene;
+    checked_.window = std::move(windows_[scene]);
+    checked_.expectedWindow = readPng(stepPicture(expected_.folder, step_, scene));
+    checked_.finishedWindow = readPng(stepPicture(expected_.folder, expected_.todos.size(), scene));
+  }
+
   const Assignment& assignment_;
   const Expected& expected_;
   const fs::path& folder_;
@@ -285,6 +298,7 @@ private:
   std::vector<std::string> withoutTexture_; // samplers of the public scene
   std::string change_;                      // what turns the right picture into the wrong one
   Shown shown_;
+  std::vector<Image> windows_; // by scene; empty: none came
   Checked checked_;
 };
 

@@ -10,10 +10,10 @@ namespace ggrade::check {
 
 /// A picture that isn't as it should be now, beside the one that is expected.
 struct Wrong {
-  std::string name;  ///< "the window, frame 2"
-  std::string scene; ///< name
-  double share = 0;  ///< of its pixels
-  Image ours;        ///< empty: the program makes no such picture
+  std::string name;      ///< "the window, frame 2"
+  std::size_t scene = 0; ///< of `Expected::scenes`
+  double share = 0;      ///< of its pixels
+  Image ours;            ///< empty: the program makes no such picture
   Image expected;
 };
 
@@ -23,12 +23,13 @@ struct Checked {
   std::vector<std::string> messages; ///< what the program and OpenGL said, a line each
   std::vector<Row> rows;             ///< no row is `done` or `wrong` if nothing was drawn
   std::optional<Wrong>
-      firstWrong;       ///< the first wrong picture of a frame, against what should be there now
-  std::string cause;    ///< the likeliest one, in words; empty: none is known
-  std::string hint;     ///< what to look at; may be empty
-  Image window;         ///< of the public scene, first frame; RGB, empty: none came
-  Image expectedWindow; ///< of the program that has done what was begun
-  Image finishedWindow; ///< the reference's
+      firstWrong;        ///< the first wrong picture of a frame, against what should be there now
+  std::string cause;     ///< the likeliest one, in words; empty: none is known
+  std::string hint;      ///< what to look at; may be empty
+  std::size_t scene = 0; ///< whose windows follow; of `Expected::scenes`
+  Image window;          ///< first frame; RGB, empty: none came
+  Image expectedWindow;  ///< of the program that has done what was begun
+  Image finishedWindow;  ///< the reference's
   double seconds = 0;
 };
 

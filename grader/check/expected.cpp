@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace ggrade::check {
 
 namespace fs = std::filesystem;
@@ -40,6 +42,13 @@ bool always(std::size_t) {
 
 } // namespace
 
+bool isDrawnAfter(const Expected& expected, std::size_t scene, std::size_t step) {
+  const std::string& todo = expected.scenes[scene].todo;
+  const auto begin = expected.todos.begin();
+  return todo.empty() ||
+         std::find(begin, begin + std::ptrdiff_t(step), todo) != begin + std::ptrdiff_t(step);
+}
+
 fs::path stubFolder(const fs::path& folder) {
   return folder / "handed_out";
 }
@@ -48,8 +57,8 @@ fs::path referenceFolder(const fs::path& folder) {
   return folder / "reference";
 }
 
-fs::path stepPicture(const fs::path& folder, std::size_t step) {
-  return folder / fmt::format("step-{}.png", step);
+fs::path stepPicture(const fs::path& folder, std::size_t step, std::size_t scene) {
+  return folder / "windows" / fmt::format("step-{}-{}.png", step, scene);
 }
 
 fs::path wordsFile(const fs::path& folder) {

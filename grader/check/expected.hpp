@@ -47,12 +47,17 @@ inline bool isShownIn(const Scene& scene, const std::string& todo) {
   return scene.todo.empty() || scene.todo == todo;
 }
 
+/// Is a scene drawn of a program that should have done so many TODOs?
+bool isDrawnAfter(const Expected& expected, std::size_t scene, std::size_t step);
+
 /// The files as they were handed out.
 std::filesystem::path stubFolder(const std::filesystem::path& folder);
 /// The reference's passes in the public scene, for people: PNG and raw floats.
 std::filesystem::path referenceFolder(const std::filesystem::path& folder);
-/// The public scene's window after `step` TODOs, first frame; PNG.
-std::filesystem::path stepPicture(const std::filesystem::path& folder, std::size_t step);
+/// A scene's window after `step` TODOs, first frame; PNG. Of a TODO's own scene there is none from
+/// before that TODO.
+std::filesystem::path stepPicture(const std::filesystem::path& folder, std::size_t step,
+                                  std::size_t scene);
 
 /// Translations of the faults' texts; there may be none.
 std::filesystem::path wordsFile(const std::filesystem::path& folder);

@@ -68,9 +68,21 @@ std::string headline(const Looked& looked) {
   return say("{} of {} done", done(looked.checked), looked.checked.rows.size());
 }
 
-std::string placeOf(const Wrong& wrong) {
-  return say("{}: {} of it differs from what should be there now", wrong.name,
-             report::percent(wrong.share));
+/// Empty for the public scene.
+std::string sceneOf(const Looked& looked, std::size_t scene) {
+  const std::string& todo = looked.expected->scenes[scene].todo;
+  if (todo.empty()) return {};
+  const auto& todos = looked.part->todos;
+  return say("in the scene of the handout's step {}",
+             std::ranges::find(todos, todo, &Todo::id) - todos.begin() + 1);
+}
+
+std::string placeOf(const Looked& looked) {
+  const Wrong& wrong = *looked.checked.firstWrong;
+  const std::string place = say("{}: {} of it differs from what should be there now", wrong.name,
+                                report::percent(wrong.share));
+  const std::string scene = sceneOf(looked, wrong.scene);
+  return scene.empty() ? place : say("{} ({})", place, scene);
 }
 
 /// What a person has to know of a run that showed nothing, or not all.
@@ -100,7 +112,7 @@ Data partOf(const Looked& looked) {
   part["cause"] = report::line(checked.cause);
   part["hint"] = report::text(checked.hint);
   part["step"] = report::line(stepToRead(looked));
-  part["wrongPlace"] = report::line(checked.firstWrong ? placeOf(*checked.firstWrong) : "");
+  part["wrongPlace"] = report::line(checked.firstWrong ? placeOf(looked) : "");
   Data messages = report::makeList();
   for (const std::string& message : checked.messages) {
     Data one;
@@ -115,9 +127,14 @@ Data partOf(const Looked& looked) {
                                       : std::string());
   Data pictures = report::makeList();
   if (!checked.window.empty() || checked.happened.ok()) {
-    pictures.push_back(pictureOf(say("your window"), checked.window));
-    pictures.push_back(pictureOf(say("to expect now"), checked.expectedWindow));
-    pictures.push_back(pictureOf(say("with all steps done"), checked.finishedWindow));
+    const std::string scene = sceneOf(looked, checked.scene);
+    const auto add = [&](const std::string& caption, const Image& image) {
+      pictures.push_back(
+          pictureOf(scene.empty() ? caption : say("{} ({})", caption, scene), image));
+    };
+    add(say("your window"), checked.window);
+    add(say("to expect now"), checked.expectedWindow);
+    add(say("with all steps done"), checked.finishedWindow);
   }
   part["pictures"] = std::move(pictures);
   Data wrong = report::makeList();
@@ -167,7 +184,8 @@ std::string stepToRead(const Looked& looked) {
       if (row.state == state)
         for (std::size_t k = 0; k < looked.part->todos.size(); ++k)
           if (looked.part->todos[k].id == row.todo)
-            return say("step {}: {}", k + 1, words(looked.part->todos[k].title));
+            return say("{}, step {}: {}", words(looked.part->title), k + 1,
+                       words(looked.part->todos[k].title));
   return {};
 }
 
@@ -205,7 +223,7 @@ std::string table(const std::vector<Looked>& all, bool colour) {
     }
     if (const std::string outcome = outcomeOf(checked); !outcome.empty()) out += outcome + '\n';
     if (checked.firstWrong)
-      out += fmt::format("{}: {}\n", words("First wrong picture"), placeOf(*checked.firstWrong));
+      out += fmt::format("{}: {}\n", words("First wrong picture"), placeOf(looked));
     if (!checked.cause.empty())
       out += fmt::format("{}: {}\n", words("Likely cause"), checked.cause);
     if (!checked.hint.empty()) out += checked.hint + (checked.hint.ends_with('\n') ? "" : "\n");
@@ -235,7 +253,7 @@ nlohmann::json toJson(const std::vector<Looked>& all) {
                            {"seconds", checked.seconds}};
     if (checked.firstWrong)
       part["first_wrong"] = {{"picture", checked.firstWrong->name},
-                             {"scene", checked.firstWrong->scene},
+                             {"scene", looked.expected->scenes[checked.firstWrong->scene].name},
                              {"share", checked.firstWrong->share}};
     parts.push_back(part);
   }

@@ -16,8 +16,8 @@ struct Looked {
 /// "done", "wrong", "not begun", "waits", in the chosen language.
 std::string nameOf(State state);
 
-/// The heading of the handout's step to read now: that of the wrong TODO, else of the next one to
-/// begin; empty when all is done.
+/// The part and the heading of the handout's step to read now: that of the wrong TODO, else of the
+/// next one to begin; empty when all is done.
 std::string stepToRead(const Looked& looked);
 
 /// A self-contained HTML page. `watched`: it shows itself anew every second.

@@ -7,7 +7,6 @@
 #include "cli/terminal.hpp"
 #include "grading/program.hpp"
 #include "grading/references.hpp"
-#include "grading/workspace.hpp"
 #include "image/png.hpp"
 #include "report/write_file.hpp"
 #include "tradeoff/adopted.hpp"
@@ -46,30 +45,32 @@ void writeSources(const Assignment& assignment, const fs::path& solutions,
   }
 }
 
-channel::Capture draw(const Assignment& assignment, const fs::path& solutions,
-                      const std::set<std::string>& filled, const json& scene,
-                      const std::vector<double>& times, const std::string& name) {
-  grading::TemporaryFolder work;
-  writeSources(assignment, solutions, filled, work.path());
+Program::Program(const Assignment& assignment, const fs::path& solutions,
+                 const std::set<std::string>& filled, const std::string& name)
+    : assignment_(assignment.id), name_(name) {
+  writeSources(assignment, solutions, filled, folder_.path());
   for (const std::string& file : assignment.dataFiles())
-    fs::copy_file(assignment.folder / file, work.path() / file);
+    fs::copy_file(assignment.folder / file, folder_.path() / file);
   const grading::Happened built =
-      grading::buildProgram(assignment.id, work.path(), sandbox::Isolation::none);
+      grading::buildProgram(assignment.id, folder_.path(), sandbox::Isolation::none);
   if (!built.ok()) throw UsageError(fmt::format("{} doesn't build:\n{}", name, built.output));
+}
+
+channel::Capture Program::draw(const json& scene, const std::vector<double>& times) const {
   grading::Rendering rendering =
-      grading::renderScene(assignment.id, work.path(), scene, times, {}, sandbox::Isolation::none,
+      grading::renderScene(assignment_, folder_.path(), scene, times, {}, sandbox::Isolation::none,
                            grading::gradingRequest());
   if (rendering.happened.outcome != report::Outcome::graded)
-    throw UsageError(fmt::format("{} doesn't render: {}\n{}", name, rendering.happened.detail,
+    throw UsageError(fmt::format("{} doesn't render: {}\n{}", name_, rendering.happened.detail,
                                  rendering.happened.output));
   return std::move(rendering.capture);
 }
 
-namespace {
-
 Image window(const channel::Capture& capture) {
   return rubric::toImage(grading::rawFrames(capture).at(0));
 }
+
+namespace {
 
 /// The window after each step of each part, as `part-k.png`; where handout.json names a pass for a
 /// step, what it drew as `part-k-pass.png`; and further pictures by their names there.
@@ -84,8 +85,8 @@ void writePictures(const Assignment& assignment, const fs::path& solutions, cons
       progress(part.id, k, part.todos.size());
       const std::string name = fmt::format("{}-{}", part.id, k);
       const channel::Capture capture =
-          draw(assignment, solutions, firstTodos(part, int(k)),
-               grading::handoutScene(assignment, part, settings, k), times, name);
+          Program(assignment, solutions, firstTodos(part, int(k)), name)
+              .draw(grading::handoutScene(assignment, part, settings, k), times);
       writePng(into / (name + ".png"), window(capture));
       const std::string step = k > 0 ? part.todos[k - 1].id : "";
       if (passes.contains(step))
@@ -113,7 +114,7 @@ void writePictures(const Assignment& assignment, const fs::path& solutions, cons
     scene.merge_patch(settings.value("scene", json::object()));
     scene.merge_patch(picture.value("scene", json::object()));
     writePng(into / (name + ".png"),
-             window(draw(assignment, solutions, filled, scene, times, name)));
+             window(Program(assignment, solutions, filled, name).draw(scene, times)));
   }
 }
 

@@ -132,15 +132,20 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   for (const std::string& todo : blank) handedOut.erase(todo);
   report::makeFolder(check::stubFolder(into));
   writeSources(assignment, solutions, handedOut, check::stubFolder(into));
+  report::makeFolder(check::stepPicture(into, 0, 0).parent_path());
   for (std::size_t k = 0; k < filled.size(); ++k) {
     tell("pictures of the steps", k, filled.size());
-    const check::Scene& scene = expected.scenes.front();
-    const channel::Capture capture =
-        draw(assignment, solutions, filled[k], scene.scene, {scene.times.front()},
-             fmt::format("{} after {} TODOs", part.id, k));
-    expected.samplers.push_back(diagnosis::samplersWithTexture(capture.trace));
-    writePng(check::stepPicture(into, k), rubric::toImage(grading::rawFrames(capture).at(0)));
-    if (k + 1 == filled.size()) writePassFiles(capture.trace, check::referenceFolder(into), true);
+    const Program program(assignment, solutions, filled[k],
+                          fmt::format("{} after {} TODOs", part.id, k));
+    for (std::size_t i = 0; i < expected.scenes.size(); ++i) {
+      if (!check::isDrawnAfter(expected, i, k)) continue;
+      const check::Scene& scene = expected.scenes[i];
+      const channel::Capture capture = program.draw(scene.scene, {scene.times.front()});
+      writePng(check::stepPicture(into, k, i), window(capture));
+      if (i > 0) continue;
+      expected.samplers.push_back(diagnosis::samplersWithTexture(capture.trace));
+      if (k + 1 == filled.size()) writePassFiles(capture.trace, check::referenceFolder(into), true);
+    }
   }
   check::save(expected, into);
   writeWords(expected, solutions, into);
@@ -152,7 +157,8 @@ void updateExpected(const Target& target, const fs::path& solutions, const fs::p
   for (const Part& part : target.parts) {
     const Target one{target.assignment, {part}, part.id};
     const std::string key =
-        grading::gradingKey(one, solutions, grading::drawScenes(one, solutions));
+        grading::gradingKey(one, solutions, grading::drawScenes(one, solutions)) +
+        grading::wordsKey(target.assignment, solutions);
     const fs::path note = into / part.id / "made-of";
     if (fs::exists(note) && readFile(note) == key) continue;
     std::set<std::string> blank;

@@ -25,6 +25,7 @@ struct Options {
   std::string out;
   std::vector<std::string> parts, blank;
   bool gradescope = false, devcontainer = false;
+  gg::Language language = gg::Language::english; ///< of an autograder's reports
 };
 
 /// What a kit hands out of one assignment.
@@ -125,8 +126,9 @@ void writeAutograder(const Options& options, const fs::path& folder) {
   const fs::path root = toolchain::kSourceFolder, texts = root / "grader" / "authoring" / "kit";
   for (const char* name : {"setup.sh", "run_autograder"}) {
     std::string text = readFile(texts / "gradescope" / name);
-    for (const auto& [mark, value] :
-         {std::pair<std::string, std::string>{"@ID@", id}, {"@ASSIGNMENT@", target.assignment.id}})
+    for (const auto& [mark, value] : {std::pair<std::string, std::string>{"@ID@", id},
+                                      {"@ASSIGNMENT@", target.assignment.id},
+                                      {"@LANGUAGE@", std::string(gg::name(options.language))}})
       for (std::size_t at; (at = text.find(mark)) != text.npos;)
         text.replace(at, mark.size(), value);
     report::writeFile(folder / name, text);
@@ -201,8 +203,9 @@ void addRelease(CLI::App& app) {
       ->add_option("--blank", options->blank,
                    "TODOs that are to be done; all other TODOs come filled in")
       ->delimiter(',');
-  command->add_flag("--gradescope", options->gradescope,
-                    "An autograder's archive instead, for the one of --parts");
+  command->add_flag(
+      "--gradescope", options->gradescope,
+      "An autograder's archive instead, for the one of --parts; --lang: of its reports");
   command->add_flag("--devcontainer", options->devcontainer,
                     "With a description of a container to work in");
   command->footer(
@@ -215,6 +218,7 @@ void addRelease(CLI::App& app) {
       "  ggrade release --blank mirror.4,mirror.5 --out out/short\n"
       "  ggrade release --gradescope --parts mirror --out out/autograder");
   command->callback([options] {
+    options->language = gg::language();
     gg::setLanguage(gg::Language::english); // translated where it is read
     release(*options);
   });

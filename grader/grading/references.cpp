@@ -198,6 +198,14 @@ std::string gradingKey(const Target& target, const fs::path& solutionFolder,
          referenceKey(target, solutionFolder) + describe(plan);
 }
 
+std::string wordsKey(const Assignment& assignment, const fs::path& solutionFolder) {
+  std::string all;
+  for (const fs::path& folder : {assignment.folder, solutionFolder})
+    if (const fs::path table = folder / "words.ja.json"; fs::exists(table))
+      all += hashOf(readFile(table)) + ' ';
+  return all;
+}
+
 References prepareReferences(const Target& target, const fs::path& solutionFolder,
                              const ScenePlan& plan, const Progress& progress,
                              const fs::path& elsewhere) {

@@ -34,6 +34,9 @@ std::string referenceKey(const Target& target, const std::filesystem::path& solu
 std::string gradingKey(const Target& target, const std::filesystem::path& solutionFolder,
                        const ScenePlan& plan);
 
+/// What its texts depend on besides: the tables of the assignment and of the solution.
+std::string wordsKey(const Assignment& assignment, const std::filesystem::path& solutionFolder);
+
 /// Makes sure that everything of `plan` is rendered, in the sandbox like a submission, and says
 /// where it stands. What was rendered before by the same tool, assignment, seed and renderer is
 /// taken from the cache

@@ -145,6 +145,16 @@ TEST(Batch, WritesAFolderAStudentAGradebookAndAPage) {
               HasSubstr("--quality balanced: give the same"));
 }
 
+TEST(Batch, AnotherLanguageIsToldAnew) {
+  Class students;
+  ASSERT_EQ(students.run({"--only", "student4"}).exitCode, 0);
+  EXPECT_THAT(students.run({"--resume", "--only", "student4"}).out, HasSubstr("0 graded, 1 kept"));
+  const tool::Ended other = students.run({"--resume", "--only", "student4", "--lang", "ja"});
+  EXPECT_THAT(other.out, HasSubstr("1 graded, 0 kept")) << other.errors;
+  EXPECT_THAT(tool::read(students.out() / "student4/student.html"),
+              HasSubstr("<html lang=\"ja\">"));
+}
+
 TEST(Batch, WhatIsKilledGoesOnAndEndsTheSame) {
   Class students;
   ASSERT_EQ(students.run({"--jobs", "1"}, "whole").exitCode, 0);

@@ -119,11 +119,12 @@ TEST(Kit, BuildsAndChecksOnItsOwn) {
 TEST(Kit, AnAutogradersArchiveHasItsTwoScriptsOnTop) {
   const TemporaryFolder folder;
   const fs::path made = folder.path() / "autograder";
-  const Ended ended =
-      runTool({"release", "--gradescope", "--parts", "mirror", "--out", made}, {}, 100);
+  const Ended ended = runTool(
+      {"release", "--gradescope", "--parts", "mirror", "--lang", "ja", "--out", made}, {}, 100);
   ASSERT_EQ(ended.exitCode, 0) << ended.errors;
   EXPECT_THAT(names(made), ElementsAre("ggrade", "run_autograder", "setup.sh"));
-  EXPECT_THAT(read(made / "run_autograder"), HasSubstr("grade mirror"));
+  EXPECT_THAT(read(made / "run_autograder"),
+              AllOf(HasSubstr("grade mirror"), HasSubstr("export GG_LANG=ja\n")));
   EXPECT_THAT(read(made / "setup.sh"), HasSubstr("grade mirror assignments/floor"));
   for (const char* script : {"run_autograder", "setup.sh"}) {
     EXPECT_NE(fs::status(made / script).permissions() & fs::perms::owner_exec, fs::perms::none);

@@ -1,0 +1,60 @@
+// The script in front of the tool: what it says before anything is installed or built.
+
+#include "tool.hpp"
+
+#include <gmock/gmock.h>
+
+#include <sstream>
+
+using namespace tool;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace {
+
+/// The script alone, in a folder where nothing could be built.
+class Wrapper : public testing::Test {
+protected:
+  void SetUp() override { fs::copy_file(kSource / "ggrade", folder_.path() / "ggrade"); }
+
+  Ended run(Arguments arguments) const {
+    arguments.insert(arguments.begin(), folder_.path() / "ggrade");
+    Ended ended = Running(arguments, {}, folder_.path()).wait(10);
+    EXPECT_THAT(names(folder_.path()), ElementsAre("ggrade")) << "nothing was built for this";
+    return ended;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Wrapper, SaysWhatThereIsBeforeAnythingIsBuilt) {
+  const Ended help = run({"--help"}), nothing = run({});
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_EQ(nothing.exitCode, 2);
+  EXPECT_EQ(nothing.out, "");
+  EXPECT_EQ(nothing.errors, help.out);
+  for (const char* command : {"run", "check", "compare", "test"})
+    EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + ' '));
+  // And all that the tool has.
+  std::istringstream lines(runTool({"--help"}).out);
+  std::string line;
+  while (std::getline(lines, line) && line != "Subcommands:") {
+  }
+  int count = 0;
+  for (; std::getline(lines, line) && !line.empty(); ++count) {
+    const std::string command = line.substr(2, line.find(' ', 2) - 2);
+    EXPECT_THAT(help.out, HasSubstr("\n  " + command + ' '));
+  }
+  EXPECT_GE(count, 10);
+}
+
+TEST_F(Wrapper, TakesTheLanguageBeforeTheCommand) {
+  const Ended help = run({"--lang", "ja", "--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  EXPECT_THAT(help.out, HasSubstr("Usage: ggrade COMMAND"));
+  const Ended wrong = run({"--lang", "fr", "run", "mirror"});
+  EXPECT_EQ(wrong.exitCode, 2);
+  EXPECT_EQ(wrong.errors, "ggrade: --lang fr: there are en and ja\n");
+}
+
+} // namespace
