@@ -83,11 +83,14 @@ void save(const Expected& expected, const fs::path& folder) {
                                                    {"todos", expected.todos},
                                                    {"scenes", scenes},
                                                    {"samplers", expected.samplers},
+                                                   {"others", expected.others.size()},
                                                    {"faults", faults}}
                                                   .dump(1));
   saveRun(expected.reference, nullptr, folder, "reference");
   for (std::size_t k = 0; k < expected.steps.size(); ++k)
     saveRun(expected.steps[k], &expected.reference, folder, fmt::format("step-{}", k));
+  for (std::size_t k = 0; k < expected.others.size(); ++k)
+    saveRun(expected.others[k], &expected.reference, folder, fmt::format("other-{}", k));
   for (std::size_t k = 0; k < expected.faults.size(); ++k)
     saveRun(expected.faults[k].signature.run, &expected.reference, folder,
             fmt::format("fault-{}", k));
@@ -111,6 +114,9 @@ Expected load(const fs::path& folder) {
     for (std::size_t k = 0; k <= expected.todos.size(); ++k)
       expected.steps.push_back(
           loadRun(scenes, &expected.reference, folder, fmt::format("step-{}", k), always));
+    for (std::size_t k = 0; k < all.at("others"); ++k)
+      expected.others.push_back(
+          loadRun(scenes, &expected.reference, folder, fmt::format("other-{}", k), always));
     for (const json& one : all.at("faults")) {
       const std::string name = fmt::format("fault-{}", expected.faults.size());
       Fault fault{one.at("title"), one.at("hint"), one.at("todo"), {name, one.at("group"), {}}};

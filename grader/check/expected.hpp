@@ -39,6 +39,9 @@ struct Expected {
   /// Samplers that read a texture in the public scene's first frame, by TODOs done.
   std::vector<std::set<std::string>> samplers;
   std::vector<Fault> faults;
+  /// Of finished programs that are right and whose windows aren't the reference's, such as one with
+  /// another filter.
+  std::vector<diagnosis::Run> others;
   std::filesystem::path folder; ///< where it was read from
 };
 

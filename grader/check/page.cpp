@@ -18,7 +18,7 @@ using report::Data;
 
 namespace {
 
-const char* const kClasses[] = {"plain", "full", "none", "unjudged"};
+const char* const kClasses[] = {"plain", "full", "none", "unjudged", "unjudged"};
 
 const Todo& todoOf(const Part& part, const std::string& id) {
   return *std::ranges::find(part.todos, id, &Todo::id);
@@ -39,6 +39,8 @@ std::string noteOf(const Checked& checked, const Row& row) {
   });
   if (row.state == State::done && !row.seen && last)
     return say("as far as this scene shows: nothing of it can be seen yet");
+  if (row.state == State::nearly)
+    return say("a little differs that no known mistake explains: a detail, or another right way");
   if (row.state == State::waits) return say("begun; judged once what comes before it is right");
   return {};
 }
@@ -83,6 +85,11 @@ std::string placeOf(const Looked& looked) {
                                 report::percent(wrong.share));
   const std::string scene = sceneOf(looked, wrong.scene);
   return scene.empty() ? place : say("{} ({})", place, scene);
+}
+
+/// The heading of the first picture that isn't as it should be.
+std::string differs(const Checked& checked) {
+  return hasWrong(checked) ? say("First wrong picture") : say("First picture that differs");
 }
 
 /// What a person has to know of a run that showed nothing, or not all.
@@ -147,7 +154,7 @@ Data partOf(const Looked& looked) {
   part["hasWrong"] = Data(checked.firstWrong.has_value());
   part["wordCause"] = report::line(words("Likely cause"));
   part["wordRead"] = report::line(hasWrong(checked) ? words("Read again") : words("Next"));
-  part["wordFirstWrong"] = report::line(words("First wrong picture"));
+  part["wordFirstWrong"] = report::line(differs(checked));
   part["wordMessages"] = report::line(words("What the program and OpenGL said"));
   return part;
 }
@@ -172,6 +179,8 @@ std::string nameOf(State state) {
     return say("wrong");
   case State::waits:
     return say("waits");
+  case State::nearly:
+    return say("nearly");
   case State::notBegun:
     break;
   }
@@ -179,7 +188,7 @@ std::string nameOf(State state) {
 }
 
 std::string stepToRead(const Looked& looked) {
-  for (const State state : {State::wrong, State::waits, State::notBegun})
+  for (const State state : {State::wrong, State::nearly, State::waits, State::notBegun})
     for (const Row& row : looked.checked.rows)
       if (row.state == state)
         for (std::size_t k = 0; k < looked.part->todos.size(); ++k)
@@ -206,13 +215,14 @@ std::string page(const std::string& title, const std::vector<Looked>& all, bool 
 }
 
 std::string table(const std::vector<Looked>& all, bool colour) {
-  static const char* const kColours[] = {"2", "32", "31;1", "33"};
+  static const char* const kColours[] = {"2", "32", "31;1", "33", "33"};
   std::string out;
   for (const Looked& looked : all) {
     const Checked& checked = looked.checked;
     out += fmt::format("{}: {} ({:.1f} s)\n", looked.part->id, headline(looked), checked.seconds);
     std::size_t wide = 0;
-    for (const State state : {State::notBegun, State::done, State::wrong, State::waits})
+    for (const State state :
+         {State::notBegun, State::done, State::wrong, State::waits, State::nearly})
       wide = std::max(wide, report::displayWidth(nameOf(state)));
     for (const Row& row : checked.rows) {
       const std::string note = noteOf(checked, row);
@@ -222,8 +232,7 @@ std::string table(const std::vector<Looked>& all, bool colour) {
                          note.empty() ? "" : " (" + note + ")");
     }
     if (const std::string outcome = outcomeOf(checked); !outcome.empty()) out += outcome + '\n';
-    if (checked.firstWrong)
-      out += fmt::format("{}: {}\n", words("First wrong picture"), placeOf(looked));
+    if (checked.firstWrong) out += fmt::format("{}: {}\n", differs(checked), placeOf(looked));
     if (!checked.cause.empty())
       out += fmt::format("{}: {}\n", words("Likely cause"), checked.cause);
     if (!checked.hint.empty()) out += checked.hint + (checked.hint.ends_with('\n') ? "" : "\n");
@@ -237,7 +246,7 @@ std::string table(const std::vector<Looked>& all, bool colour) {
 
 nlohmann::json toJson(const std::vector<Looked>& all) {
   nlohmann::json parts = nlohmann::json::array();
-  static const char* const kNames[] = {"not_begun", "done", "wrong", "waits"};
+  static const char* const kNames[] = {"not_begun", "done", "wrong", "waits", "nearly"};
   for (const Looked& looked : all) {
     const Checked& checked = looked.checked;
     nlohmann::json rows = nlohmann::json::array();

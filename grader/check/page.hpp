@@ -13,7 +13,7 @@ struct Looked {
   Checked checked;
 };
 
-/// "done", "wrong", "not begun", "waits", in the chosen language.
+/// "done", "wrong", "not begun" and so on, in the chosen language.
 std::string nameOf(State state);
 
 /// The part and the heading of the handout's step to read now: that of the wrong TODO, else of the

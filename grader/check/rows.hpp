@@ -15,7 +15,9 @@ enum class State {
   notBegun,
   done,  ///< as far as the scenes that were drawn can show it
   wrong, ///< the first one that isn't right
-  waits  ///< for one before it; may be right or wrong
+  waits, ///< for one before it; may be right or wrong
+  nearly ///< a little of a window differs and no known mistake explains it: a detail that isn't
+         ///< right, or another right way
 };
 
 /// One TODO.
@@ -25,7 +27,7 @@ struct Row {
   bool seen = true; ///< false: no scene that was drawn shows anything of it
 };
 
-/// Is nothing wrong or waiting for what is?
+/// Is all that was begun done?
 bool allRight(const std::vector<Row>& rows);
 
 /// What a program showed in the first scenes of `Expected`; nothing for one that was not drawn.

@@ -44,6 +44,14 @@ std::set<std::string> allTodos(const Assignment& assignment) {
   return all;
 }
 
+bool showsTheSameWindows(const diagnosis::Run& a, const diagnosis::Run& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < b[i].windows.size(); ++k)
+      if (!diagnosis::alike(k < a[i].windows.size() ? &a[i].windows[k] : nullptr, &b[i].windows[k]))
+        return false;
+  return true;
+}
+
 /// Only what is said of these faults: the solution's table tells more than students should know.
 void writeWords(const check::Expected& expected, const fs::path& solutions, const fs::path& into) {
   const fs::path table = solutions / "words.ja.json";
@@ -105,6 +113,13 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
 
   const grading::Catalogue catalogue =
       grading::loadCatalogue(assignment, part, solutions, solutions);
+  std::vector<grading::Faulty> variants;
+  for (const grading::Variant& variant : catalogue.variants)
+    if (variant.loses.empty())
+      variants.push_back({variant.name, variant.name, {variant.patch}, std::nullopt});
+  for (diagnosis::Signature& variant : showing(variants, numbers))
+    if (!showsTheSameWindows(variant.run, expected.reference))
+      expected.others.push_back(std::move(variant.run));
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     std::vector<grading::Faulty> programs;
     std::vector<std::size_t> shown;
