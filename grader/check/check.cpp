@@ -70,7 +70,8 @@ std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
 }
 
 std::string capitalized(std::string text) {
-  if (!text.empty()) text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+  const bool isName = text.starts_with("gl"); // of OpenGL
+  if (!text.empty() && !isName) text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
 }
 
@@ -93,7 +94,8 @@ public:
     compilerOutput_ = checked_.happened.output;
     if (checked_.happened.ok()) {
       draw(program);
-      if (!shown_.empty() && shown_[0]) judge();
+      checked_.drawn = !shown_.empty() && shown_[0].has_value();
+      if (checked_.drawn) judge();
     }
     outcome();
     showWindows();
@@ -202,8 +204,9 @@ private:
   void describe(const diagnosis::FirstWrong& first, const diagnosis::Run& student,
                 const diagnosis::Run& should, const std::vector<std::size_t>& scenes) {
     Wrong wrong;
-    wrong.name =
-        first.slot ? diagnosis::words(*first.slot) : say("the window, frame {}", first.frame + 1);
+    wrong.name = first.slot ? diagnosis::words(*first.slot)
+                            : say("the window at {} s",
+                                  expected_.scenes[scenes[first.scene]].times[first.frame]);
     wrong.scene = scenes[first.scene];
     wrong.share = first.share;
     const auto picture = [&](const SceneViews& views) -> const Image* {

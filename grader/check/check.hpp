@@ -20,6 +20,7 @@ struct Wrong {
 /// One look at a program.
 struct Checked {
   grading::Happened happened;
+  bool drawn = false;                ///< did frames come, so that the rows are judged?
   std::vector<std::string> messages; ///< what the program and OpenGL said, a line each
   std::vector<Row> rows;             ///< no row is `done` or `wrong` if nothing was drawn
   std::optional<Wrong>

@@ -50,6 +50,15 @@ fs::file_time_type lastSaved(const Assignment& assignment) {
   return last;
 }
 
+/// The text of a part's steps, in the chosen language.
+std::string handoutOf(const Assignment& assignment, const Part& part) {
+  const std::string ending = gg::language() == gg::Language::english ? ".md" : ".ja.md";
+  for (const std::string& name : {part.id, std::string("README")})
+    if (fs::exists(assignment.folder / (name + ending)))
+      return fs::relative(assignment.folder / (name + ending), toolchain::kSourceFolder);
+  return "README.md";
+}
+
 /// What is named, or without a name the assignment whose files were saved last.
 Target chosen(const std::string& id) {
   const fs::path folder = fs::path(toolchain::kSourceFolder) / "assignments";
@@ -107,8 +116,8 @@ private:
     const fs::path work = fs::path(toolchain::kBuildFolder) / "check" / target_.assignment.id;
     std::vector<Looked> all;
     for (std::size_t i = 0; i < parts_.size(); ++i)
-      all.push_back(
-          {parts_[i], &expected_[i], check(target_.assignment, expected_[i], folder_, work)});
+      all.push_back({parts_[i], &expected_[i], handoutOf(target_.assignment, *parts_[i]),
+                     check(target_.assignment, expected_[i], folder_, work)});
     report::makeFolder(fs::absolute(out_).parent_path());
     report::writeFile(out_, page("ggrade check " + target_.id, all, options_.watch));
     if (options_.watch && terminal) fmt::print("\033[2J\033[H");
@@ -141,7 +150,7 @@ int run(int argc, char** argv) {
                "Again on every save, until Ctrl-C; the page follows by itself");
   app.add_option("--folder", options.folder, "Other files than those in assignments/ID");
   app.add_option("--out", options.out, "The page's file (default out/check-ID.html)");
-  app.add_option("--lang", options.language, "en or ja (default: by LANG)")
+  app.add_option("--lang", options.language, "en or ja (default: by GG_LANG, else LANG)")
       ->check(CLI::IsMember({"en", "ja"}));
   app.add_flag("--json", options.json, "Print JSON on stdout");
   app.add_option("--expected", options.expected, "What to compare with")->group("");

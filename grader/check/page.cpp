@@ -41,7 +41,9 @@ std::string noteOf(const Checked& checked, const Row& row) {
     return say("as far as this scene shows: nothing of it can be seen yet");
   if (row.state == State::nearly)
     return say("a little differs that no known mistake explains: a detail, or another right way");
-  if (row.state == State::waits) return say("begun; judged once what comes before it is right");
+  if (row.state == State::waits)
+    return checked.drawn ? say("begun; judged once what comes before it is right")
+                         : say("begun; judged once the program draws");
   return {};
 }
 
@@ -67,6 +69,7 @@ Data pictureOf(const std::string& caption, const Image& image) {
 }
 
 std::string headline(const Looked& looked) {
+  if (!looked.checked.drawn) return say("not judged: the program draws nothing");
   return say("{} of {} done", done(looked.checked), looked.checked.rows.size());
 }
 
@@ -188,12 +191,13 @@ std::string nameOf(State state) {
 }
 
 std::string stepToRead(const Looked& looked) {
+  if (!looked.checked.drawn) return {};
   for (const State state : {State::wrong, State::nearly, State::waits, State::notBegun})
     for (const Row& row : looked.checked.rows)
       if (row.state == state)
         for (std::size_t k = 0; k < looked.part->todos.size(); ++k)
           if (looked.part->todos[k].id == row.todo)
-            return say("{}, step {}: {}", words(looked.part->title), k + 1,
+            return say("{}, step {}: {}", looked.handout, k + 1,
                        words(looked.part->todos[k].title));
   return {};
 }
@@ -205,7 +209,7 @@ std::string page(const std::string& title, const std::vector<Looked>& all, bool 
   data["watched"] = Data(watched);
   data["watchWords"] = report::line(words("This page follows every save."));
   data["footer"] = report::line(
-      words("Compared with the public scene only: the grader draws other scenes, too."));
+      words("Compared with the public scene and the handout's: the grader draws others, too."));
   Data parts = report::makeList();
   for (const Looked& looked : all) parts.push_back(partOf(looked));
   data["parts"] = std::move(parts);

@@ -10,14 +10,15 @@ namespace ggrade::check {
 struct Looked {
   const Part* part = nullptr;
   const Expected* expected = nullptr;
+  std::string handout; ///< its file, from the kit's root: "assignments/floor/mirror.md"
   Checked checked;
 };
 
 /// "done", "wrong", "not begun" and so on, in the chosen language.
 std::string nameOf(State state);
 
-/// The part and the heading of the handout's step to read now: that of the wrong TODO, else of the
-/// next one to begin; empty when all is done.
+/// The file and the heading of the handout's step to read now: that of the wrong TODO, else of the
+/// next one to begin; empty when all is done, and where nothing was drawn.
 std::string stepToRead(const Looked& looked);
 
 /// A self-contained HTML page. `watched`: it shows itself anew every second.

@@ -142,8 +142,10 @@ void render(const Options& options) {
   if (options.json) {
     std::cout << trace.dump(2) << '\n';
   } else {
-    fmt::print("{}: {} frames in {}\n", report::name(rendering.happened.outcome), frames.size(),
-               out.string());
+    const report::Outcome outcome = rendering.happened.outcome;
+    fmt::print("{}{} {} in {}\n",
+               outcome == report::Outcome::graded ? "" : fmt::format("{}: ", report::name(outcome)),
+               frames.size(), frames.size() == 1 ? "frame" : "frames", out.string());
     if (options.passes)
       fmt::print("{} passes, {} pictures of them\n", passes.passes.size(), passes.copies.size());
     if (const std::string lost = lostText(passes); !lost.empty())

@@ -2,6 +2,9 @@
 
 #include "tool.hpp"
 
+#include "grading/catalogue.hpp"
+#include "grading/patched.hpp"
+
 #include <gmock/gmock.h>
 
 #include <csignal>
@@ -129,6 +132,49 @@ TEST_F(Check, NamesWhyAWindowIsWhiteOrBlack) {
     EXPECT_THAT(part.at("cause").get<std::string>(), HasSubstr(window.cause));
     EXPECT_THAT(part.at("cause").get<std::string>(), Not(HasSubstr("\n")));
   }
+}
+
+TEST_F(Check, IsSilentOnEveryRightAnswer) {
+  const fs::path solutions = kSource / "solutions/floor";
+  const ggrade::Target target = ggrade::findTarget(kSource / "assignments", "mirror");
+  const auto catalogue =
+      ggrade::grading::loadCatalogue(target.assignment, target.parts.front(), solutions, solutions);
+  int count = 0;
+  for (const ggrade::grading::Variant& variant : catalogue.variants) {
+    if (!variant.loses.empty()) continue;
+    SCOPED_TRACE(variant.name);
+    const TemporaryFolder files;
+    ggrade::grading::writePatched(target.assignment, solutions, {variant.patch}, files.path());
+    const json part = checked(files.path());
+    EXPECT_EQ(part.at("cause"), "");
+    EXPECT_EQ(part.at("messages"), json::array());
+    for (const json& todo : part.at("todos")) EXPECT_EQ(todo.at("state"), "done") << todo;
+    ++count;
+  }
+  EXPECT_GE(count, 8);
+}
+
+TEST_F(Check, WhatCannotDrawIsNotJudged) {
+  Submission submission = Submission::solution();
+  submission.replace("tile.frag", "void main() {", "void main() {\n  vec3 wrong = 1.0;");
+  const Ended ended = Running(command(submission.path())).wait(100);
+  EXPECT_EQ(ended.exitCode, 1);
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("mirror: not judged: the program draws nothing"),
+                               HasSubstr("judged once the program draws"), Not(HasSubstr("Next:")),
+                               Not(HasSubstr("0 of 7"))));
+}
+
+/// Step 6 is seen in the handout's scene alone, so that is the one that is shown.
+TEST_F(Check, ShowsTheSceneThatItSpeaksOf) {
+  const Ended six = Running(command(Submission::firstSteps(6).path())).wait(100);
+  EXPECT_EQ(six.exitCode, 0) << six.out;
+  EXPECT_THAT(read(folder_.path() / "check.html"),
+              HasSubstr("your window (in the scene of the handout's step 6)"));
+  const Ended five = Running(command(Submission::firstSteps(5).path())).wait(100);
+  EXPECT_EQ(five.exitCode, 0) << five.out;
+  EXPECT_THAT(five.out, HasSubstr("Next: assignments/floor/mirror.md, step 6: "));
+  EXPECT_THAT(read(folder_.path() / "check.html"),
+              AllOf(HasSubstr("your window"), Not(HasSubstr("in the scene of"))));
 }
 
 TEST_F(Check, NamesAKnownMistakeAndItsTodo) {
