@@ -168,13 +168,16 @@ TEST_F(Check, WhatCannotDrawIsNotJudged) {
 TEST_F(Check, ShowsTheSceneThatItSpeaksOf) {
   const Ended six = Running(command(Submission::firstSteps(6).path())).wait(100);
   EXPECT_EQ(six.exitCode, 0) << six.out;
-  EXPECT_THAT(read(folder_.path() / "check.html"),
-              HasSubstr("your window (in the scene of the handout's step 6)"));
+  // Pages are too long to be printed where this fails.
+  const auto pageSays = [&](const char* text) {
+    return read(folder_.path() / "check.html").find(text) != std::string::npos;
+  };
+  EXPECT_TRUE(pageSays("your window (in the scene of the handout&apos;s step 6)"));
   const Ended five = Running(command(Submission::firstSteps(5).path())).wait(100);
   EXPECT_EQ(five.exitCode, 0) << five.out;
   EXPECT_THAT(five.out, HasSubstr("Next: assignments/floor/mirror.md, step 6: "));
-  EXPECT_THAT(read(folder_.path() / "check.html"),
-              AllOf(HasSubstr("your window"), Not(HasSubstr("in the scene of"))));
+  EXPECT_TRUE(pageSays("your window"));
+  EXPECT_FALSE(pageSays("in the scene of"));
 }
 
 TEST_F(Check, NamesAKnownMistakeAndItsTodo) {
