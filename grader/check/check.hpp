@@ -10,7 +10,7 @@ namespace ggrade::check {
 
 /// A picture that isn't as it should be now, beside the one that is expected.
 struct Wrong {
-  std::string name;      ///< "the window, frame 2"
+  std::string name;      ///< "the window at 0.9 s"
   std::size_t scene = 0; ///< of `Expected::scenes`
   double share = 0;      ///< of its pixels
   Image ours;            ///< empty: the program makes no such picture

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <ranges>
 
 namespace ggrade::check {
 
@@ -44,9 +45,8 @@ bool always(std::size_t) {
 
 bool isDrawnAfter(const Expected& expected, std::size_t scene, std::size_t step) {
   const std::string& todo = expected.scenes[scene].todo;
-  const auto begin = expected.todos.begin();
-  return todo.empty() ||
-         std::find(begin, begin + std::ptrdiff_t(step), todo) != begin + std::ptrdiff_t(step);
+  const auto before = expected.todos | std::views::take(step);
+  return todo.empty() || std::ranges::find(before, todo) != before.end();
 }
 
 fs::path stubFolder(const fs::path& folder) {

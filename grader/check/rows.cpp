@@ -1,7 +1,6 @@
 #include "check/rows.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace ggrade::check {
 
@@ -14,12 +13,6 @@ namespace {
 /// Of a window's pixels. What the catalogue's right answers with another bias, filter or map size
 /// change is at most 1.6%; a change of that size that no known mistake makes is not called wrong.
 constexpr double kNearly = 0.02;
-
-double mean(const std::vector<float>& values) {
-  return values.empty()
-             ? 0
-             : std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
-}
 
 /// One picture of all those that a program is compared by. Passes come before windows, as in a
 /// frame.
@@ -95,7 +88,7 @@ public:
   /// Are all windows those after step k, but for little?
   bool isNearly(std::size_t k) const {
     return std::ranges::all_of(cells_, [&](const Cell& cell) {
-      return cell.slot || mean(diagnosis::distance(ofStep(k, cell), ofProgram(cell))) < kNearly;
+      return cell.slot || diagnosis::differingShare(ofStep(k, cell), ofProgram(cell)) < kNearly;
     });
   }
 

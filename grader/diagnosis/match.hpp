@@ -24,6 +24,9 @@ struct Signature {
 /// the tolerance. Null stands for a picture that was not made. Another size is resized to `a`'s.
 std::vector<float> distance(const Image* a, const Image* b);
 
+/// Their mean: the share of two pictures that differs, 0 to 1. Of two nulls nothing does.
+double differingShare(const Image* a, const Image* b);
+
 /// Do both show the same, but for so little that nobody would see it? Two nulls do.
 bool alike(const Image* a, const Image* b);
 

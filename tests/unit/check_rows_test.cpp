@@ -57,11 +57,15 @@ std::set<std::string> first(std::size_t count) {
 }
 
 /// One letter a row: d done, w wrong, t waits, n not begun, l nearly.
+std::string letters(const std::vector<Row>& rows) {
+  std::string text;
+  for (const Row& row : rows) text += "ndwtl"[int(row.state)];
+  return text;
+}
+
 std::string states(const SceneViews& views, const std::set<std::string>& begun,
                    const std::string& suspect = "") {
-  std::string text;
-  for (const Row& row : rows(expected(), {views}, begun, suspect)) text += "ndwtl"[int(row.state)];
-  return text;
+  return letters(rows(expected(), {views}, begun, suspect));
 }
 
 TEST(CheckRows, EveryStepIsDoneUpToItself) {
@@ -75,19 +79,17 @@ TEST(CheckRows, AnotherRightAnswerIsDoneOnceItIsFinished) {
   Expected all = expected();
   const Image other = painted(kSampled, 0.1f, 0.7f, 0.3f, 0.9f, 0.5f);
   all.others = {{seen(kTexture, other)}};
-  const auto statesOf = [&](const SceneViews& views, std::size_t begun) {
-    std::string text;
-    for (const Row& row : rows(all, {views}, first(begun))) text += "ndwtl"[int(row.state)];
-    return text;
+  const auto statesOf = [&](const SceneViews& views) {
+    return letters(rows(all, {views}, first(5)));
   };
-  EXPECT_EQ(statesOf(seen(kEmpty, other), 5), "ddddd") << "however its passes are made";
-  EXPECT_EQ(statesOf(seen(kEmpty, kShows), 5), "ddddw") << "neither the one nor the other";
+  EXPECT_EQ(statesOf(seen(kEmpty, other)), "ddddd") << "however its passes are made";
+  EXPECT_EQ(statesOf(seen(kEmpty, kShows)), "ddddw") << "neither the one nor the other";
   all.others.clear();
-  EXPECT_NE(statesOf(seen(kEmpty, other), 5), "ddddd");
+  EXPECT_NE(statesOf(seen(kEmpty, other)), "ddddd");
 }
 
 TEST(CheckRows, ALittleThatNothingExplainsIsNotCalledWrong) {
-  // A hundredth of the window, and twice as much as that.
+  // A hundredth of the window, and three times as much.
   const auto changed = [](float height) {
     return seen(kTexture, painted(kClipped, 0.1f, 0.1f, 0.2f, 0.1f + height, 0.9f));
   };
