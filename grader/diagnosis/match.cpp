@@ -1,5 +1,6 @@
 #include "diagnosis/match.hpp"
 
+#include "diagnosis/correspondence.hpp"
 #include "image/compare.hpp"
 #include "image/neighbourhood.hpp"
 #include "image/window.hpp"
@@ -268,10 +269,11 @@ bool windowsShowNothing(const Run& student) {
   });
 }
 
-} // namespace
-
-std::optional<Identified> KnownFaults::identify(const Run& student, const Thresholds& thresholds,
-                                                const std::vector<bool>& leftOut) const {
+/// By passes of the same slots.
+std::optional<Identified> identifyBySlots(const Run& student, const KnownFaults& known,
+                                          const Thresholds& thresholds,
+                                          const std::vector<bool>& leftOut) {
+  const auto& [reference, signatures] = known;
   std::vector<Likeness> likes(signatures.size());
   for (std::size_t i = 0; i < signatures.size(); ++i)
     if (i >= leftOut.size() || !leftOut[i])
@@ -327,6 +329,18 @@ std::optional<Identified> KnownFaults::identify(const Run& student, const Thresh
   }
   if (passShowsNothing(student, ours)) return std::nullopt;
   return by(&Likeness::first, Identified::By::firstPass, thresholds.firstLike);
+}
+
+} // namespace
+
+std::optional<Identified> KnownFaults::identify(const Run& student, const Thresholds& thresholds,
+                                                const std::vector<bool>& leftOut) const {
+  if (auto found = identifyBySlots(student, *this, thresholds, leftOut)) return found;
+  const Run ours = corresponding(student, reference);
+  KnownFaults known{withPassesOf(ours, reference), signatures};
+  for (Signature& signature : known.signatures)
+    signature.run = corresponding(signature.run, reference);
+  return identifyBySlots(ours, known, thresholds, leftOut);
 }
 
 } // namespace ggrade::diagnosis

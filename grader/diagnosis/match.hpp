@@ -95,6 +95,8 @@ struct KnownFaults {
   /// fault is not in a pass or the windows are the same and that pass is not the reference's (it
   /// may hold something else where a program is made in another way); else in the first wrong pass
   /// (something else is wrong later).
+  /// A program for which that finds nothing is looked at once more with its passes brought into the
+  /// reference's way, see `corresponding`: it may make them in another order or encoding.
   /// Nothing where none is like it, two different ones are almost equally like it, or what is
   /// alike holds one value all over, as many faults leave it. Signatures with `leftOut` set are not
   /// considered.

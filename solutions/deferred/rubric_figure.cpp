@@ -39,23 +39,34 @@ Verdict window(const View& view) {
 
 GGRADE_ITEM("figure.picture", window);
 
+const Mask& unoccludedSurfaces(const SceneEvidence& scene) {
+  return remembered(&scene, [&] { return surfaces(scene) & unoccluded(scene, 0); });
+}
+
+/// Surfaces that mirror. What others reflect is right wherever the Fresnel term is.
+const Mask& mirrors(const SceneEvidence& scene) {
+  return remembered(&scene, [&] {
+    const Image& share = wanted(scene, "uFresnel")->image;
+    const Image none(share.width(), share.height(), share.channels());
+    return surfaces(scene) & erode(differenceMask(share, none, 1.0f / 255), 1);
+  });
+}
+
 /// One of the figure's pictures, as the reference's shaders read it, with a name for messages.
 struct Wanted {
   const char* sampler;
   std::string name;
-  bool occluded = false; ///< does occlusion darken it?
+  const Mask& (*region)(const SceneEvidence&) = surfaces; ///< where it is looked at
 };
 
 /// Those of the pictures that this scene has.
 Verdict pictures(const View& view, const std::vector<Wanted>& all) {
   std::vector<Verdict> verdicts;
-  for (const auto& [sampler, name, occluded] : all) {
+  for (const auto& [sampler, name, region] : all) {
     const Texture* right = wanted(view.scene, sampler);
     if (!right) continue;
-    Mask region = surfaces(view.scene);
-    if (occluded) region = region & unoccluded(view.scene, 0);
     const auto any = [](const Texture&) { return true; };
-    verdicts.push_back(bestMatch(view, *right, region, name, any).verdict);
+    verdicts.push_back(bestMatch(view, *right, region(view.scene), name, any).verdict);
   }
   return passesOrPicture(together(verdicts), window(view));
 }
@@ -70,7 +81,8 @@ GGRADE_PASS("figure.gbuffer", [](const View& view) {
 
 GGRADE_ITEM("figure.irradiance", [](const View& view) {
   return pictures(
-      view, {{"uIrradiance", gg::say("irradiance")}, {"uDiffuse", gg::say("diffuse light"), true}});
+      view, {{"uIrradiance", gg::say("irradiance")},
+             {"uDiffuse", gg::say("diffuse light"), unoccludedSurfaces}});
 });
 
 GGRADE_PASS("figure.irradiance",
@@ -181,14 +193,14 @@ GGRADE_PASS("figure.occlusion",
 GGRADE_ITEM("figure.reflection", [](const View& view) {
   return pictures(view, {{"uReflected", gg::say("reflected directions")},
                          {"uFresnel", gg::say("Fresnel term")},
-                         {"uReflection", gg::say("reflection")}});
+                         {"uReflection", gg::say("reflection"), mirrors}});
 });
 
 GGRADE_PASS("figure.reflection",
             [](const View& view) { return outputOf(view.trace, {"uReflection"}); });
 
 GGRADE_ITEM("figure.composition", [](const View& view) {
-  return pictures(view, {{"uComposition", gg::say("composition"), true}});
+  return pictures(view, {{"uComposition", gg::say("composition"), unoccludedSurfaces}});
 });
 
 GGRADE_ITEM("figure.keep_state", sameAgain);
