@@ -15,6 +15,8 @@ namespace {
 /// line fits worse than this.
 const std::string kHidden = "–";
 constexpr double kWorstFit = 0.4;
+/// Less than this power is no growth: two runs of one measurement differ by as much.
+constexpr double kNoGrowth = 0.1;
 
 std::string costText(double ms) {
   return ms > 0 ? msText(ms) : kHidden;
@@ -64,13 +66,21 @@ std::string sweepText(const json& sweep) {
   const std::string part = sweep.at("part"), name = sweep.at("scene_name"),
                     error = sweep.at("error"), errorInWords = inWords(error);
   std::string text = sceneText(sweep) + "\n\n" +
-                     gg::say("| preset | time | {} | setting |", errorInWords) +
+                     gg::say("| preset | time of this part | {} | setting |", errorInWords) +
                      "\n| --- | ---: | ---: | --- |\n";
-  for (const char* preset : kPresets) {
-    if (!sweep.at("presets").contains(preset)) continue;
-    const json& row = sweep.at("presets").at(preset);
-    text += fmt::format("| {} | {} | {} | {} |\n", preset, costText(row.at("ms")),
+  const json& presets = sweep.at("presets");
+  std::string names;
+  for (std::size_t i = 0; i < std::size(kPresets); ++i) {
+    if (!presets.contains(kPresets[i])) continue;
+    const json& row = presets.at(kPresets[i]);
+    names += (names.empty() ? "" : ", ") + std::string(kPresets[i]);
+    // Presets with one setting have one row.
+    const bool again = i + 1 < std::size(kPresets) && presets.contains(kPresets[i + 1]) &&
+                       presets.at(kPresets[i + 1]).at("setting") == row.at("setting");
+    if (again) continue;
+    text += fmt::format("| {} | {} | {} | {} |\n", names, costText(row.at("ms")),
                         errorText(row.at("errors").at(error)), settingCell(row.at("setting")));
+    names.clear();
   }
   const std::string settings = sweep.at("settings").dump();
   text += fmt::format("\n![{}](handout/{})\n\n",
@@ -81,8 +91,21 @@ std::string sweepText(const json& sweep) {
   return text;
 }
 
+/// The power with which a cost grows.
+std::string powerText(const json& row, bool hidden) {
+  if (hidden || !row.contains("exponent")) return kHidden;
+  const double exponent = row.at("exponent");
+  return exponent < kNoGrowth ? gg::say("no growth") : fmt::format("{:.2f}", exponent);
+}
+
+/// Of a scene that needs less against one that needs all.
+std::string timeText(double needed, double all) {
+  return needed < all ? gg::say("{} of {}", msText(needed), msText(all))
+                      : gg::say("no less ({} and {})", msText(needed), msText(all));
+}
+
 std::string growthTable(const json& growth) {
-  std::string text = gg::say("| part | against | its cost in a frame | power |") +
+  std::string text = gg::say("| part | against | its cost in a frame | grows with the power |") +
                      "\n| --- | --- | --- | ---: |\n";
   for (const json& row : growth) {
     std::string costs;
@@ -94,10 +117,7 @@ std::string growthTable(const json& growth) {
       hidden = hidden || ms <= 0;
     }
     text += fmt::format("| {} | {} | {} | {} |\n", row.at("part").get<std::string>(),
-                        inWords(row.at("series")), costs,
-                        row.contains("exponent") && !hidden
-                            ? fmt::format("{:.2f}", row.at("exponent").get<double>())
-                            : kHidden);
+                        inWords(row.at("series")), costs, powerText(row, hidden));
   }
   return text;
 }
@@ -107,14 +127,14 @@ std::string savedTable(const json& saved) {
     return need.at("image_bytes").get<double>() / (1 << 20);
   };
   std::string text =
-      gg::say("| scene | passes | memory | time |") + "\n| --- | ---: | ---: | ---: |\n";
+      gg::say("| scene | passes | memory | a frame's time |") + "\n| --- | ---: | ---: | ---: |\n";
   for (const json& row : saved) {
     const json &needed = row.at("needed"), &against = row.at("against");
     text +=
         fmt::format("| {} | {} | {} | {} |\n", inWords(row.at("scene")),
                     gg::say("{} of {}", needed.at("passes").dump(), against.at("passes").dump()),
                     gg::say("{:.1f} of {:.1f} MiB", mebibytes(needed), mebibytes(against)),
-                    gg::say("{} of {}", msText(needed.at("ms")), msText(against.at("ms"))));
+                    timeText(needed.at("ms"), against.at("ms")));
   }
   return text;
 }

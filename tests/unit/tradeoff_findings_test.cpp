@@ -178,9 +178,9 @@ TEST(TradeoffAdopted, IsATableInTheHandout) {
   const std::string text = handoutText(adoptedSample(), "mirror");
   EXPECT_THAT(text, testing::StartsWith(
                         "A scene. 480 x 360 pixels; without this part a frame takes 3.00 ms.\n\n"
-                        "| preset | time | RMSE, edges left out | setting |\n"
+                        "| preset | time of this part | RMSE, edges left out | setting |\n"
                         "| --- | ---: | ---: | --- |\n"));
-  EXPECT_THAT(text, HasSubstr("| reference | 16.1 ms | 0.39% | `clip` 1, `size` 256 |\n"));
+  EXPECT_THAT(text, HasSubstr("| accurate, reference | 16.1 ms | 0.39% | `clip` 1, `size` 256 |\n"));
   EXPECT_THAT(text, HasSubstr("(handout/tradeoff-mirror-sharp.svg)\n"));
   EXPECT_THAT(text, HasSubstr("(handout/tradeoff-mirror-blurred.svg)\n"));
   EXPECT_THAT(text, HasSubstr("- The error falls with size: from 1.6% at 64 to 0.39% at 256. Its "
@@ -191,12 +191,19 @@ TEST(TradeoffAdopted, IsATableInTheHandout) {
   noisy = adoptedSample();
   noisy["growth"][0]["deviation"] = 0.5;
   EXPECT_THAT(handoutText(noisy, ""), HasSubstr("| 1: 1.00 ms, 2: 2.50 ms | – |\n"));
+  json falling = adoptedSample();
+  falling["growth"][0]["exponent"] = -0.02;
+  EXPECT_THAT(handoutText(falling, ""), HasSubstr("| 1: 1.00 ms, 2: 2.50 ms | no growth |\n"));
+  json saving = adoptedSample();
+  saving["saved"][0]["needed"]["ms"] = 1.5;
+  EXPECT_THAT(handoutText(saving, ""), HasSubstr("| 1.50 ms of 3.00 ms |\n"));
   EXPECT_EQ(handoutText(adoptedSample(), "shadow"), "");
   EXPECT_EQ(handoutText(adoptedSample(), ""),
-            "| part | against | its cost in a frame | power |\n| --- | --- | --- | ---: |\n"
+            "| part | against | its cost in a frame | grows with the power |\n"
+            "| --- | --- | --- | ---: |\n"
             "| mirror | pixels | 1: 1.00 ms, 2: 2.50 ms | 1.32 |\n\n"
-            "| scene | passes | memory | time |\n| --- | ---: | ---: | ---: |\n"
-            "| no mirror | 2 of 2 | 1.0 of 1.0 MiB | 3.00 ms of 3.00 ms |\n");
+            "| scene | passes | memory | a frame's time |\n| --- | ---: | ---: | ---: |\n"
+            "| no mirror | 2 of 2 | 1.0 of 1.0 MiB | no less (3.00 ms and 3.00 ms) |\n");
 }
 
 TEST(TradeoffAdopted, AChartStandsAlone) {
