@@ -118,8 +118,7 @@ void writePictures(const Assignment& assignment, const fs::path& solutions, cons
   }
 }
 
-/// presets.json and the charts of what `tradeoff --adopt` kept. Returns its figures; null if it has
-/// kept nothing.
+/// presets.json of what `tradeoff --adopt` kept. Returns its figures; null if it has kept nothing.
 json writeMeasured(const fs::path& adopted, const fs::path& into) {
   if (!fs::exists(adopted)) return nullptr;
   const json figures = readJson(adopted / "figures.json");
@@ -128,9 +127,6 @@ json writeMeasured(const fs::path& adopted, const fs::path& into) {
   for (const auto& [name, numbers] : presets.items())
     text += fmt::format("{}  \"{}\": {}", text.empty() ? "" : ",\n", name, numbers.dump());
   report::writeFile(into / "presets.json", "{\n" + text + "\n}\n");
-  for (const fs::directory_entry& entry : fs::directory_iterator(adopted))
-    if (entry.path().extension() == ".svg")
-      report::writeFile(into / "handout" / entry.path().filename(), readFile(entry.path()));
   return figures;
 }
 
@@ -167,6 +163,15 @@ void writeTexts(const Assignment& assignment, const fs::path& solutions, const j
   for (const Part& part : assignment.parts) write(part.id, part.id);
 }
 
+/// The charts that `tradeoff --adopt` kept, in the language that was chosen.
+void writeCharts(const fs::path& adopted, const json& figures, const fs::path& into) {
+  for (const json& sweep : figures.at("sweeps")) {
+    const std::string part = sweep.at("part"), name = sweep.at("scene_name");
+    report::writeFile(into / tradeoff::chartFile(part, name, gg::language()),
+                      tradeoff::chartInWords(readFile(adopted / tradeoff::chartFile(part, name))));
+  }
+}
+
 } // namespace
 
 void deriveInto(const Assignment& assignment, const fs::path& solutions, const fs::path& into,
@@ -177,8 +182,10 @@ void deriveInto(const Assignment& assignment, const fs::path& solutions, const f
   if (fs::exists(solutions / "handout.md")) {
     const gg::Language chosen = gg::language();
     for (const Written& written : kWritten) {
+      if (!fs::exists(solutions / (std::string("handout") + written.ending))) continue;
       gg::setLanguage(written.language);
       addWords(solutions);
+      if (!figures.empty()) writeCharts(solutions / "tradeoff", figures, into / "handout");
       writeTexts(Assignment::load(assignment.folder), solutions, figures, written, into);
     }
     gg::setLanguage(chosen);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <regex>
 
 namespace ggrade::tradeoff {
 
@@ -85,7 +86,7 @@ std::string sweepText(const json& sweep) {
   const std::string settings = sweep.at("settings").dump();
   text += fmt::format("\n![{}](handout/{})\n\n",
                       gg::say("Time against {} of {} settings", errorInWords, settings),
-                      chartFile(part, name));
+                      chartFile(part, name, gg::language()));
   for (const auto& [number, found] : sweep.at("numbers").items())
     text += "- " + numberText(found) + '\n';
   return text;
@@ -141,8 +142,21 @@ std::string savedTable(const json& saved) {
 
 } // namespace
 
-std::string chartFile(const std::string& part, const std::string& sweep) {
-  return fmt::format("tradeoff-{}-{}.svg", part, sweep);
+std::string chartFile(const std::string& part, const std::string& sweep, gg::Language language) {
+  return fmt::format("tradeoff-{}-{}{}.svg", part, sweep,
+                     language == gg::Language::english ? "" : ".ja");
+}
+
+std::string chartInWords(const std::string& svg) {
+  static const std::regex kAxis("(class=\"axis\"[^>]*>)([^<]*)<");
+  std::string text;
+  auto rest = svg.begin();
+  for (std::sregex_iterator axis(svg.begin(), svg.end(), kAxis), none; axis != none; ++axis) {
+    const std::ssub_match name = (*axis)[2];
+    text.append(rest, name.first).append(gg::words(name.str()));
+    rest = name.second;
+  }
+  return text.append(rest, svg.end());
 }
 
 std::string chartSvg(const Measured& measured, const Findings& findings) {

@@ -5,14 +5,20 @@
 /// sweep. `ggrade derive` makes tables, pictures and presets.json from that.
 
 #include "tradeoff/page.hpp"
+#include "words/words.hpp"
 
 namespace ggrade::tradeoff {
 
-/// "tradeoff-mirror-sharp.svg": the chart of a part's sweep, in the handout's folder too.
-std::string chartFile(const std::string& part, const std::string& sweep);
+/// "tradeoff-mirror-sharp.svg", in Japanese "tradeoff-mirror-sharp.ja.svg": the chart of a part's
+/// sweep in the handout's folder. What is kept is in English.
+std::string chartFile(const std::string& part, const std::string& sweep,
+                      gg::Language language = gg::Language::english);
 
 /// The chart of the front with the presets named, as a file that stands alone.
 std::string chartSvg(const Measured& measured, const Findings& findings);
+
+/// A chart that was kept in English, its axes named in the language that was chosen.
+std::string chartInWords(const std::string& svg);
 
 /// presets.json of an assignment from its figures: preset to the numbers of all its parts, each as
 /// the first scene of its part that sweeps it has it. Of two parts that have a number in common the

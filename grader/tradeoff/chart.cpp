@@ -1,6 +1,7 @@
 #include "tradeoff/chart.hpp"
 
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,9 @@ namespace ggrade::tradeoff {
 using report::escapeXml;
 
 namespace {
+
+// English, as pages are; handouts have it translated, see chartInWords.
+constexpr std::string_view kTimeAxis = gg::tag("milliseconds of a frame");
 
 /// One axis of logarithms, from a power of ten (or 2 or 5 times one) to another. What is 0 or less
 /// (noise, or no error at all) stands at the axis' beginning.
@@ -144,9 +148,9 @@ std::string frontChart(const Measured& measured, const Findings& findings, Label
                  fmt::format("{}, {}: time against {}", sweep.part, sweep.name, error),
                  "The front, fastest first. " + description, "chart") +
          gridOf(x, y, kLeft, kRight, kTop, kBottom) +
-         fmt::format("<text class=\"axis\" x=\"{}\" y=\"{}\" text-anchor=\"end\">milliseconds of "
-                     "a frame</text><text class=\"axis\" x=\"{}\" y=\"14\">{}</text>",
-                     kRight, kBottom + 42, 8, escapeXml(error)) +
+         fmt::format("<text class=\"axis\" x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>"
+                     "<text class=\"axis\" x=\"{}\" y=\"14\">{}</text>",
+                     kRight, kBottom + 42, kTimeAxis, 8, escapeXml(error)) +
          dots + "<polyline class=\"front\" points=\"" + line + "\"/>" + front + "</svg>";
 }
 
@@ -175,8 +179,7 @@ std::string curveChart(const Measured& measured, const Curve& curve, bool cost) 
                          u, v, about(point), kBottom + 18, value);
     description += fmt::format("{}{}: {}.", i == 0 ? "" : " ", value, text);
   }
-  const std::string what =
-      cost ? std::string("milliseconds of a frame") : measured.points.at(0).errors.at(0).name;
+  const std::string what = cost ? std::string(kTimeAxis) : measured.points.at(0).errors.at(0).name;
   return openSvg(kWidth, kHeight,
                  fmt::format("curve-{}-{}", curve.number.name, cost ? "time" : "error"),
                  fmt::format("{} by {}", what, curve.number.name), description, "curve") +
