@@ -1,5 +1,6 @@
 // ggrade check: how far is a student's own program, and what is wrong with it?
 
+#include "check/begun.hpp"
 #include "check/page.hpp"
 #include "grading/overlay.hpp"
 #include "grading/toolchain.hpp"
@@ -110,12 +111,26 @@ public:
   }
 
 private:
+  /// Those that are named; else those that were begun, or the first one.
+  std::vector<std::size_t> partsToLookAt() const {
+    std::vector<std::size_t> all, begunOnes;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      all.push_back(i);
+      const std::set<std::string> places = begun(stubFolder(expected_[i].folder), folder_);
+      if (std::ranges::any_of(parts_[i]->todos,
+                              [&](const Todo& todo) { return places.count(todo.id) > 0; }))
+        begunOnes.push_back(i);
+    }
+    if (!options_.id.empty()) return all;
+    return begunOnes.empty() ? std::vector<std::size_t>{0} : begunOnes;
+  }
+
   /// Checks once, prints and writes the page.
   int look() {
     const bool terminal = isatty(STDOUT_FILENO) != 0;
     const fs::path work = fs::path(toolchain::kBuildFolder) / "check" / target_.assignment.id;
     std::vector<Looked> all;
-    for (std::size_t i = 0; i < parts_.size(); ++i)
+    for (const std::size_t i : partsToLookAt())
       all.push_back({parts_[i], &expected_[i], handoutOf(target_.assignment, *parts_[i]),
                      check(target_.assignment, expected_[i], folder_, work)});
     report::makeFolder(fs::absolute(out_).parent_path());
