@@ -174,14 +174,21 @@ private:
     }
   }
 
-  /// Names the known mistake that shows the same in one scene, in `cause` and `hint`. Returns its
-  /// TODO.
+  /// Names the known mistake that shows the same in one scene, in `cause` and `hint`: one made
+  /// just now, else one in the finished program. Returns its TODO.
   std::string likeliest(std::size_t scene) {
+    const std::size_t all = expected_.todos.size();
+    const std::string todo = likeliest(scene, step_);
+    return todo.empty() && step_ < all ? likeliest(scene, all) : todo;
+  }
+
+  /// The same among mistakes in the program that has done so many TODOs.
+  std::string likeliest(std::size_t scene, std::size_t step) {
     diagnosis::KnownFaults known;
-    known.reference = {expected_.reference[scene]};
+    known.reference = {expected_.steps[step][scene]};
     std::vector<const Fault*> faults;
     for (const Fault& fault : expected_.faults)
-      if (isShownIn(expected_.scenes[scene], fault.todo)) {
+      if (fault.step == step && isShownIn(expected_.scenes[scene], fault.todo)) {
         faults.push_back(&fault);
         known.signatures.push_back(fault.signature);
         known.signatures.back().run = {fault.signature.run[scene]};
@@ -282,7 +289,8 @@ private:
       scene = checked_.firstWrong->scene;
     else if (step_ > 0 && allRight(checked_.rows))
       for (std::size_t i = 0; i < expected_.scenes.size(); ++i)
-        if (expected_.scenes[i].todo == expected_.todos[step_ - 1]) scene = i;
+        if (!expected_.scenes[i].another && expected_.scenes[i].todo == expected_.todos[step_ - 1])
+          scene = i;
     checked_.scene = scene;
     checked_.window = std::move(windows_[scene]);
     checked_.expectedWindow = readPng(stepPicture(expected_.folder, step_, scene));

@@ -61,6 +61,10 @@ fs::path stepPicture(const fs::path& folder, std::size_t step, std::size_t scene
   return folder / "windows" / fmt::format("step-{}-{}.png", step, scene);
 }
 
+fs::path sceneFile(const fs::path& folder, std::size_t scene) {
+  return folder / fmt::format("scene-{}.json", scene);
+}
+
 fs::path wordsFile(const fs::path& folder) {
   return folder / "words.ja.json";
 }
@@ -72,11 +76,13 @@ void save(const Expected& expected, const fs::path& folder) {
     scenes.push_back({{"name", scene.name},
                       {"scene", scene.scene},
                       {"times", scene.times},
-                      {"todo", scene.todo}});
+                      {"todo", scene.todo},
+                      {"another", scene.another}});
   for (const Fault& fault : expected.faults)
     faults.push_back({{"title", fault.title},
                       {"hint", fault.hint},
                       {"todo", fault.todo},
+                      {"step", fault.step},
                       {"group", fault.signature.group}});
   report::writeFile(folder / "expected.json", json{{"assignment", expected.assignment},
                                                    {"part", expected.part},
@@ -86,13 +92,16 @@ void save(const Expected& expected, const fs::path& folder) {
                                                    {"others", expected.others.size()},
                                                    {"faults", faults}}
                                                   .dump(1));
+  for (std::size_t i = 0; i < expected.scenes.size(); ++i)
+    if (expected.scenes[i].another)
+      report::writeFile(sceneFile(folder, i), expected.scenes[i].scene.dump(2) + '\n');
   saveRun(expected.reference, nullptr, folder, "reference");
   for (std::size_t k = 0; k < expected.steps.size(); ++k)
     saveRun(expected.steps[k], &expected.reference, folder, fmt::format("step-{}", k));
   for (std::size_t k = 0; k < expected.others.size(); ++k)
     saveRun(expected.others[k], &expected.reference, folder, fmt::format("other-{}", k));
   for (std::size_t k = 0; k < expected.faults.size(); ++k)
-    saveRun(expected.faults[k].signature.run, &expected.reference, folder,
+    saveRun(expected.faults[k].signature.run, &expected.steps[expected.faults[k].step], folder,
             fmt::format("fault-{}", k));
 }
 
@@ -108,7 +117,8 @@ Expected load(const fs::path& folder) {
     all.at("samplers").get_to(expected.samplers);
     for (const json& scene : all.at("scenes"))
       expected.scenes.push_back({scene.at("name"), scene.at("scene"),
-                                 scene.at("times").get<std::vector<double>>(), scene.at("todo")});
+                                 scene.at("times").get<std::vector<double>>(), scene.at("todo"),
+                                 scene.at("another")});
     const std::size_t scenes = expected.scenes.size();
     expected.reference = loadRun(scenes, nullptr, folder, "reference", always);
     for (std::size_t k = 0; k <= expected.todos.size(); ++k)
@@ -119,10 +129,17 @@ Expected load(const fs::path& folder) {
           loadRun(scenes, &expected.reference, folder, fmt::format("other-{}", k), always));
     for (const json& one : all.at("faults")) {
       const std::string name = fmt::format("fault-{}", expected.faults.size());
-      Fault fault{one.at("title"), one.at("hint"), one.at("todo"), {name, one.at("group"), {}}};
-      fault.signature.run = loadRun(scenes, &expected.reference, folder, name, [&](std::size_t i) {
-        return isShownIn(expected.scenes[i], fault.todo);
-      });
+      Fault fault{one.at("title"),
+                  one.at("hint"),
+                  one.at("todo"),
+                  one.at("step"),
+                  {name, one.at("group"), {}}};
+      if (fault.step > expected.todos.size())
+        throw UsageError(fmt::format("{}: faults: step {} of {}", file.string(), fault.step,
+                                     expected.todos.size()));
+      fault.signature.run =
+          loadRun(scenes, &expected.steps[fault.step], folder, name,
+                  [&](std::size_t i) { return isShownIn(expected.scenes[i], fault.todo); });
       expected.faults.push_back(std::move(fault));
     }
   } catch (const json::exception& error) {

@@ -20,12 +20,15 @@ struct Scene {
   std::vector<double> times; ///< seconds, one a frame
   /// The TODO that only this scene shows, so that it is drawn once that is begun; empty: always.
   std::string todo;
+  /// Neither the public scene nor one of the handout's: numbers typed in show in it.
+  bool another = false;
 };
 
-/// A mistake that is known by what it shows.
+/// A mistake that is known by what it shows in a program that has come to some step.
 struct Fault {
   std::string title, hint;
-  std::string todo; ///< in which it is made
+  std::string todo;     ///< in which it is made
+  std::size_t step = 0; ///< TODOs that the program has done, this one included
   /// Of the public scene and of those of its TODO; of the others nothing is known.
   diagnosis::Signature signature;
 };
@@ -38,6 +41,7 @@ struct Expected {
   std::vector<diagnosis::Run> steps; ///< by TODOs done: todos.size() + 1
   /// Samplers that read a texture in the public scene's first frame, by TODOs done.
   std::vector<std::set<std::string>> samplers;
+  /// Each in the finished program, and in the first unfinished one in which it shows.
   std::vector<Fault> faults;
   /// Of finished programs that are right and whose windows aren't the reference's, such as one with
   /// another filter.
@@ -61,6 +65,9 @@ std::filesystem::path referenceFolder(const std::filesystem::path& folder);
 /// before that TODO.
 std::filesystem::path stepPicture(const std::filesystem::path& folder, std::size_t step,
                                   std::size_t scene);
+
+/// A scene, as `run --scene` reads it; of those that are `another`.
+std::filesystem::path sceneFile(const std::filesystem::path& folder, std::size_t scene);
 
 /// Translations of the faults' texts; there may be none.
 std::filesystem::path wordsFile(const std::filesystem::path& folder);

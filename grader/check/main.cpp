@@ -156,24 +156,30 @@ private:
 
 int run(int argc, char** argv) {
   CLI::App app(
-      "Looks at your own program: which TODOs are done, which one is wrong, and the likely cause.",
+      say("Looks at your own program: which TODOs are done, which one is wrong, and the likely "
+          "cause."),
       "ggrade check");
   Options options;
+  app.option_defaults()->group(say("Options"));
+  app.get_formatter()->label("Usage", say("Usage"));
+  app.get_formatter()->label("Positionals", say("Arguments"));
+  app.set_help_flag("-h,--help", say("Print this and exit"));
   app.add_option("ID", options.id,
-                 "Assignment or part (default: the assignment whose files were saved last)");
+                 say("Assignment or part (default: what was begun of the assignment whose files "
+                     "were saved last)"));
   app.add_flag("--watch", options.watch,
-               "Again on every save, until Ctrl-C; the page follows by itself");
-  app.add_option("--folder", options.folder, "Other files than those in assignments/ID");
-  app.add_option("--out", options.out, "The page's file (default out/check-ID.html)");
-  app.add_option("--lang", options.language, "en or ja (default: by GG_LANG, else LANG)")
+               say("Again on every save, until Ctrl-C; the page follows by itself"));
+  app.add_option("--folder", options.folder, say("Other files than those in assignments/ID"));
+  app.add_option("--out", options.out, say("The page's file (default out/check-ID.html)"));
+  app.add_option("--lang", options.language, say("en or ja (default: by GG_LANG, else LANG)"))
       ->check(CLI::IsMember({"en", "ja"}));
-  app.add_flag("--json", options.json, "Print JSON on stdout");
-  app.add_option("--expected", options.expected, "What to compare with")->group("");
-  app.footer("The program is built and run on this machine, as you, without a sandbox.\n"
-             "Exit codes: 0 all that was begun is right, 1 something isn't, 2 usage.\n\n"
-             "Examples:\n"
-             "  ggrade check mirror\n"
-             "  ggrade check --watch");
+  app.add_flag("--json", options.json, say("Print JSON on stdout"));
+  app.add_option("--expected", options.expected, say("What to compare with"))->group("");
+  app.footer(say("The program is built and run on this machine, as you, without a sandbox.\n"
+                 "Exit codes: 0 all that was begun is right, 1 something isn't, 2 usage.\n\n"
+                 "Examples:\n"
+                 "  ggrade check mirror\n"
+                 "  ggrade check --watch"));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -75,7 +75,9 @@ std::string headline(const Looked& looked) {
 
 /// Empty for the public scene.
 std::string sceneOf(const Looked& looked, std::size_t scene) {
-  const std::string& todo = looked.expected->scenes[scene].todo;
+  const auto& [name, values, times, todo, another] = looked.expected->scenes[scene];
+  if (another)
+    return say("in another scene: {}", sceneFile(looked.expected->folder, scene).string());
   if (todo.empty()) return {};
   const auto& todos = looked.part->todos;
   return say("in the scene of the handout's step {}",
@@ -208,8 +210,8 @@ std::string page(const std::string& title, const std::vector<Looked>& all, bool 
   data["lang"] = Data(std::string(gg::name(gg::language())));
   data["watched"] = Data(watched);
   data["watchWords"] = report::line(words("This page follows every save."));
-  data["footer"] = report::line(
-      words("Compared with the public scene and the handout's: the grader draws others, too."));
+  data["footer"] = report::line(words(
+      "Compared with the public scene, the handout's and a few others: the grader draws more."));
   Data parts = report::makeList();
   for (const Looked& looked : all) parts.push_back(partOf(looked));
   data["parts"] = std::move(parts);

@@ -12,6 +12,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <span>
+
 namespace ggrade::cli {
 
 namespace fs = std::filesystem;
@@ -25,15 +30,28 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
   std::vector<check::Scene> scenes;
   const Target target{assignment, {part}, part.id};
   for (const grading::SceneCase& scene : grading::drawScenes(target, solutions).scenes)
-    if (scene.isPublic) scenes.push_back({scene.name, scene.scene, scene.times, ""});
+    if (scene.isPublic) scenes.push_back({scene.name, scene.scene, scene.times, "", false});
   const fs::path file = solutions / "handout.json";
   if (!fs::exists(file)) return scenes;
-  const json settings = readJson(file), steps = settings.value("steps", json::object());
-  for (std::size_t k = 1; k <= part.todos.size(); ++k)
-    if (const std::string& todo = part.todos[k - 1].id; blank.count(todo) && steps.contains(todo))
-      scenes.push_back({fmt::format("the handout's step {}", k),
-                        grading::handoutScene(assignment, part, settings, k),
-                        settings.at("times").get<std::vector<double>>(), todo});
+  const json settings = readJson(file), steps = settings.value("steps", json::object()),
+             others = settings.value("others", json::object());
+  const auto addOther = [&](const std::string& of, const std::string& todo, json scene) {
+    if (!others.contains(of)) return;
+    scene.merge_patch(others[of].at("scene"));
+    const std::string name = fmt::format("another scene for {}", of);
+    grading::checkScene(assignment, scene, file.string() + ": others: " + of);
+    scenes.push_back({name, scene, {others[of].at("time").get<double>()}, todo, true});
+  };
+  addOther(part.id, "", grading::partScene(assignment, {part.id}));
+  for (std::size_t k = 1; k <= part.todos.size(); ++k) {
+    const std::string& todo = part.todos[k - 1].id;
+    if (!blank.count(todo)) continue;
+    const json scene = grading::handoutScene(assignment, part, settings, k);
+    if (steps.contains(todo))
+      scenes.push_back({fmt::format("the handout's step {}", k), scene,
+                        settings.at("times").get<std::vector<double>>(), todo, false});
+    addOther(todo, todo, scene);
+  }
   return scenes;
 }
 
@@ -50,6 +68,67 @@ bool showsTheSameWindows(const diagnosis::Run& a, const diagnosis::Run& b) {
       if (!diagnosis::alike(k < a[i].windows.size() ? &a[i].windows[k] : nullptr, &b[i].windows[k]))
         return false;
   return true;
+}
+
+/// Views of programs in scenes with these numbers.
+using Showing = std::function<std::vector<diagnosis::Signature>(
+    const std::vector<grading::Faulty>& programs, const std::vector<std::size_t>& scenes)>;
+
+/// The part's mistakes in TODOs that are to be done, each in the finished program and in the first
+/// unfinished one in which it shows. `filled`: TODOs that are done, by step.
+std::vector<check::Fault> faultsOf(const grading::Catalogue& catalogue,
+                                   const check::Expected& expected,
+                                   const std::vector<std::set<std::string>>& filled,
+                                   const Showing& showing) {
+  std::vector<check::Fault> faults;
+  std::set<std::string> shown; // in an unfinished program
+  for (std::size_t k = 1; k < filled.size(); ++k) {
+    const bool finished = k + 1 == filled.size();
+    std::vector<check::Fault> made;
+    std::vector<grading::Faulty> programs;
+    for (const grading::Mistake& mistake : catalogue.mistakes) {
+      const auto draws =
+          mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
+      const auto done = std::span(expected.todos).first(k);
+      if (!draws || std::ranges::find(done, mistake.step) == done.end() ||
+          (!finished && shown.count(mistake.name)))
+        continue;
+      const std::string group = mistake.same.empty() ? mistake.name : mistake.same;
+      made.push_back({mistake.title,
+                      mistake.hint,
+                      mistake.step,
+                      k,
+                      {mistake.name, group, diagnosis::Run(expected.scenes.size())}});
+      programs.push_back({mistake.name,
+                          group,
+                          {mistake.patch},
+                          finished ? std::nullopt : std::optional(filled[k])});
+    }
+    std::set<std::string> visible;
+    for (std::size_t i = 0; i < expected.scenes.size(); ++i) {
+      std::vector<grading::Faulty> here;
+      std::vector<check::Fault*> theirs;
+      for (std::size_t m = 0; m < made.size(); ++m)
+        if (check::isShownIn(expected.scenes[i], made[m].todo)) {
+          here.push_back(programs[m]);
+          theirs.push_back(&made[m]);
+        }
+      std::vector<diagnosis::Signature> signatures = showing(here, {i});
+      for (std::size_t m = 0; m < here.size(); ++m) {
+        diagnosis::SceneViews& views = signatures[m].run.at(0);
+        // One that can't be built at this step shows nothing.
+        if (!views.windows.empty() && diagnosis::firstWrong({views}, {expected.steps[k][i]}))
+          visible.insert(here[m].name);
+        theirs[m]->signature.run[i] = std::move(views);
+      }
+    }
+    for (check::Fault& fault : made)
+      if (finished || visible.count(fault.signature.name)) {
+        shown.insert(fault.signature.name);
+        faults.push_back(std::move(fault));
+      }
+  }
+  return faults;
 }
 
 /// Only what is said of these faults: the solution's table tells more than students should know.
@@ -95,8 +174,8 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   const grading::References references = grading::prepareReferences(target, solutions, plan, tell);
   for (const rubric::SceneFolders& scene : references.scenes)
     expected.reference.push_back(grading::viewsIn(scene.reference));
-  const auto showing = [&](const std::vector<grading::Faulty>& programs,
-                           const std::vector<std::size_t>& scenes) {
+  const Showing showing = [&](const std::vector<grading::Faulty>& programs,
+                              const std::vector<std::size_t>& scenes) {
     return grading::renderSignatures(
         target, solutions, programs, plan, scenes, references,
         [&](std::size_t scene) -> const diagnosis::SceneViews& {
@@ -120,29 +199,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   for (diagnosis::Signature& variant : showing(variants, numbers))
     if (!showsTheSameWindows(variant.run, expected.reference))
       expected.others.push_back(std::move(variant.run));
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    std::vector<grading::Faulty> programs;
-    std::vector<std::size_t> shown;
-    std::size_t count = 0;
-    for (const grading::Mistake& mistake : catalogue.mistakes) {
-      const bool shows =
-          mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
-      if (!shows || !blank.count(mistake.step)) continue;
-      const std::size_t fault = count++;
-      const std::string group = mistake.same.empty() ? mistake.name : mistake.same;
-      if (i == 0)
-        expected.faults.push_back({mistake.title,
-                                   mistake.hint,
-                                   mistake.step,
-                                   {mistake.name, group, diagnosis::Run(numbers.size())}});
-      if (!check::isShownIn(expected.scenes[i], mistake.step)) continue;
-      programs.push_back({mistake.name, group, {mistake.patch}, std::nullopt});
-      shown.push_back(fault);
-    }
-    const auto signatures = showing(programs, {numbers[i]});
-    for (std::size_t k = 0; k < shown.size(); ++k)
-      expected.faults[shown[k]].signature.run[i] = signatures[k].run.at(0);
-  }
+  expected.faults = faultsOf(catalogue, expected, filled, showing);
   std::set<std::string> handedOut = allTodos(assignment);
   for (const std::string& todo : blank) handedOut.erase(todo);
   report::makeFolder(check::stubFolder(into));

@@ -11,8 +11,9 @@ namespace ggrade::cli {
 
 /// Writes to `into`, a folder of this part's own, what check::Expected needs: the part's TODOs out
 /// of `blank` are to be done, all others are done already. The public scenes come first, then those
-/// of the handout's steps that have a scene of their own. Also the reference's passes there as
-/// pictures and as raw floats (see writePassFiles). Throws UsageError where a program fails.
+/// of the handout's steps that have a scene of their own, and the `others` of handout.json. Also
+/// the reference's passes there as pictures and as raw floats (see writePassFiles). Throws
+/// UsageError where a program fails.
 void writeExpected(const Assignment& assignment, const Part& part,
                    const std::filesystem::path& solutions, const std::set<std::string>& blank,
                    const std::filesystem::path& into, Progress& progress);

@@ -67,7 +67,7 @@ Image resized(const Image& image, int width, int height);
 /// thousandths where a perspective puts everything.
 Image stretchedDepth(const Image& depth);
 
-/// Writes views in 16 bits a value. A picture of `base` (same slot or frame) that looks the same in
+/// Writes views in 16 bits a value, compressed. A picture of `base` (same slot or frame) that looks the same in
 /// these bits is not written again. Throws UsageError when the disk is full.
 void save(const SceneViews& views, const SceneViews* base, const std::filesystem::path& file);
 /// Reads them back. Throws UsageError for a file that is cut off.

@@ -4,10 +4,13 @@
 
 #include <fmt/format.h>
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <fstream>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 namespace ggrade::diagnosis {
 
@@ -27,24 +30,55 @@ struct Header {
   std::int32_t inBase = 0;                          ///< 1: as in the base, no values follow
 };
 
+using Values = std::vector<std::uint16_t>;
+
+/// The base's values where it has the same shape; else none.
+Values valuesOf(const Image* base, const Header& header) {
+  Values values;
+  if (base && base->width() == header.width && base->height() == header.height &&
+      base->channels() == header.channels)
+    for (const float value : base->values()) values.push_back(packed(value));
+  return values;
+}
+
+/// What value `i` is probably near to: the same one of the base, or that of the pixel before. Only
+/// the rest is written, which compresses well.
+std::uint16_t expected(const Values& values, const Values& base, std::size_t i, int channels) {
+  if (!base.empty()) return base[i];
+  return i < std::size_t(channels) ? 0 : values[i - std::size_t(channels)];
+}
+
 class Writer {
 public:
-  explicit Writer(const fs::path& file) : file_(file), out_(file, std::ios::binary) {}
+  explicit Writer(const fs::path& file) : file_(file), out_(gzopen(file.c_str(), "wb1")) {
+    if (!out_) fail();
+  }
+  ~Writer() {
+    if (out_) gzclose(out_);
+  }
   template <typename Value> void write(const Value& value) { write(&value, sizeof value); }
   void write(const void* data, std::size_t size) {
-    if (!out_.write(static_cast<const char*>(data), std::streamsize(size))) fail();
+    if (size > 0 && gzwrite(out_, data, unsigned(size)) != int(size)) fail();
   }
   void picture(const Image& image, const Image* base) {
-    std::vector<std::uint16_t> values, same;
+    Header header{image.width(), image.height(), image.channels(), 0};
+    const Values same = valuesOf(base, header);
+    Values values;
     for (const float value : image.values()) values.push_back(packed(value));
-    if (base && sameSize(*base, image) && base->channels() == image.channels())
-      for (const float value : base->values()) same.push_back(packed(value));
-    const bool known = !values.empty() && values == same;
-    write(Header{image.width(), image.height(), image.channels(), known});
-    if (!known) write(values.data(), values.size() * sizeof values[0]);
+    header.inBase = !values.empty() && values == same;
+    write(header);
+    if (header.inBase) return;
+    // All low bytes, then all high ones, which are nearly all 0.
+    std::vector<std::uint8_t> bytes(2 * values.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const auto rest = std::uint16_t(values[i] - expected(values, same, i, header.channels));
+      bytes[i] = std::uint8_t(rest & 0xff);
+      bytes[values.size() + i] = std::uint8_t(rest >> 8);
+    }
+    write(bytes.data(), bytes.size());
   }
   void finish() {
-    if (!out_.flush()) fail();
+    if (gzclose(std::exchange(out_, nullptr)) != Z_OK) fail();
   }
 
 private:
@@ -53,19 +87,22 @@ private:
   }
 
   const fs::path& file_;
-  std::ofstream out_;
+  gzFile out_;
 };
 
 class Reader {
 public:
-  explicit Reader(const fs::path& file) : file_(file), in_(file, std::ios::binary) {}
+  explicit Reader(const fs::path& file) : file_(file), in_(gzopen(file.c_str(), "rb")) {
+    if (!in_) fail();
+  }
+  ~Reader() { gzclose(in_); }
   template <typename Value> Value read() {
     Value value{};
     read(&value, sizeof value);
     return value;
   }
   void read(void* data, std::size_t size) {
-    if (!in_.read(static_cast<char*>(data), std::streamsize(size))) fail();
+    if (gzread(in_, data, unsigned(size)) != int(size)) fail();
   }
   Image picture(const Image* base) {
     const auto header = read<Header>();
@@ -75,8 +112,14 @@ public:
       return *base;
     }
     Image image(header.width, header.height, header.channels);
-    std::vector<std::uint16_t> values(image.values().size());
-    read(values.data(), values.size() * sizeof values[0]);
+    const Values same = valuesOf(base, header);
+    Values values(image.values().size());
+    std::vector<std::uint8_t> bytes(2 * values.size());
+    read(bytes.data(), bytes.size());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      const int rest = bytes[i] | bytes[values.size() + i] << 8;
+      values[i] = std::uint16_t(expected(values, same, i, header.channels) + rest);
+    }
     std::transform(values.begin(), values.end(), image.values().begin(),
                    [](std::uint16_t value) { return float(value) / kSteps + kLow; });
     return image;
@@ -84,11 +127,11 @@ public:
 
 private:
   [[noreturn]] void fail() const {
-    throw UsageError(fmt::format("{} is cut off: remove it", file_.string()));
+    throw UsageError(fmt::format("{} is missing or cut off: remove it", file_.string()));
   }
 
   const fs::path& file_;
-  std::ifstream in_;
+  gzFile in_;
 };
 
 struct PassHeader {

@@ -12,15 +12,20 @@ using testing::HasSubstr;
 
 namespace {
 
-/// The script alone, in a folder where nothing could be built.
+/// The script and its texts alone, in a folder where nothing could be built.
 class Wrapper : public testing::Test {
 protected:
-  void SetUp() override { fs::copy_file(kSource / "ggrade", folder_.path() / "ggrade"); }
+  void SetUp() override {
+    fs::copy_file(kSource / "ggrade", folder_.path() / "ggrade");
+    fs::create_directories(folder_.path() / "cmake");
+    fs::copy(kSource / "cmake" / "help", folder_.path() / "cmake" / "help");
+  }
 
   Ended run(Arguments arguments) const {
     arguments.insert(arguments.begin(), folder_.path() / "ggrade");
     Ended ended = Running(arguments, {}, folder_.path()).wait(10);
-    EXPECT_THAT(names(folder_.path()), ElementsAre("ggrade")) << "nothing was built for this";
+    EXPECT_THAT(names(folder_.path()), ElementsAre("cmake", "ggrade"))
+        << "nothing was built for this";
     return ended;
   }
 
@@ -28,30 +33,33 @@ protected:
 };
 
 TEST_F(Wrapper, SaysWhatThereIsBeforeAnythingIsBuilt) {
-  const Ended help = run({"--help"}), nothing = run({});
+  const Ended help = run({"--help"}), nothing = run({}), japanese = run({"--lang", "ja", "--help"});
   EXPECT_EQ(help.exitCode, 0);
   EXPECT_EQ(nothing.exitCode, 2);
   EXPECT_EQ(nothing.out, "");
   EXPECT_EQ(nothing.errors, help.out);
-  for (const char* command : {"run", "check", "compare", "test"})
-    EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + ' '));
+  const auto expectCommand = [&](const std::string& command) {
+    EXPECT_THAT(help.out, HasSubstr("\n  " + command + ' '));
+    EXPECT_THAT(japanese.out, HasSubstr("\n  " + command + ' '));
+  };
+  for (const char* command : {"run", "check", "compare", "test"}) expectCommand(command);
   // And all that the tool has.
   std::istringstream lines(runTool({"--help"}).out);
   std::string line;
   while (std::getline(lines, line) && line != "Subcommands:") {
   }
   int count = 0;
-  for (; std::getline(lines, line) && !line.empty(); ++count) {
-    const std::string command = line.substr(2, line.find(' ', 2) - 2);
-    EXPECT_THAT(help.out, HasSubstr("\n  " + command + ' '));
-  }
+  for (; std::getline(lines, line) && !line.empty(); ++count)
+    expectCommand(line.substr(2, line.find(' ', 2) - 2));
   EXPECT_GE(count, 10);
 }
 
 TEST_F(Wrapper, TakesTheLanguageBeforeTheCommand) {
   const Ended help = run({"--lang", "ja", "--help"});
   EXPECT_EQ(help.exitCode, 0);
-  EXPECT_THAT(help.out, HasSubstr("Usage: ggrade COMMAND"));
+  EXPECT_THAT(help.out, HasSubstr("使い方：ggrade COMMAND"));
+  EXPECT_THAT(run({"--lang", "ja", "run"}).out, HasSubstr("使い方：ggrade run ID"));
+  EXPECT_THAT(run({"--lang", "en", "run", "--help"}).out, HasSubstr("Usage: ggrade run ID"));
   const Ended wrong = run({"--lang", "fr", "run", "mirror"});
   EXPECT_EQ(wrong.exitCode, 2);
   EXPECT_EQ(wrong.errors, "ggrade: --lang fr: there are en and ja\n");

@@ -19,16 +19,16 @@ Expected small() {
   all.assignment = "floor";
   all.part = "mirror";
   all.todos = {"mirror.1"};
-  all.scenes = {{"public", {{"size", {4, 3}}}, {0.25}, ""},
-                {"blurred", {}, {1}, "mirror.1"},
-                {"other", {}, {1}, "mirror.2"}};
+  all.scenes = {{"public", {{"size", {4, 3}}}, {0.25}, "", false},
+                {"blurred", {{"size", {5, 6}}}, {1}, "mirror.1", true},
+                {"other", {}, {1}, "mirror.2", false}};
   diagnosis::SceneViews black = diagnosis::samples::views();
   black.windows[0] = diagnosis::reduced(Image(320, 240, 3, 0.0f), 3);
   const diagnosis::SceneViews right = diagnosis::samples::views();
   all.reference = {right, right, right};
   all.steps = {{black, right, right}, all.reference};
   all.samplers = {{}, {"uReflection"}};
-  all.faults = {{"A title", "A hint", "mirror.1", {"x", "group", {black, right, {}}}}};
+  all.faults = {{"A title", "A hint", "mirror.1", 1, {"x", "group", {black, right, {}}}}};
   all.others = {{right, black, right}};
   return all;
 }
@@ -44,12 +44,17 @@ TEST(CheckExpected, IsReadAsItWasWritten) {
   EXPECT_EQ(all.scenes[0].scene.at("size"), nlohmann::json({4, 3}));
   EXPECT_THAT(all.scenes[0].times, ElementsAre(0.25));
   EXPECT_EQ(all.scenes[1].todo, "mirror.1");
+  EXPECT_FALSE(all.scenes[0].another);
+  EXPECT_TRUE(all.scenes[1].another);
+  EXPECT_EQ(readJson(sceneFile(folder.path(), 1)).at("size"), nlohmann::json({5, 6}));
+  EXPECT_FALSE(std::filesystem::exists(sceneFile(folder.path(), 0)));
   ASSERT_EQ(all.steps.size(), 2u);
   EXPECT_NEAR(all.steps[0][0].windows[0].at(0, 0), 0, 1e-4); // 16 bits
   EXPECT_GT(all.steps[1][0].windows[0].at(0, 0), 0);
   EXPECT_THAT(all.samplers[1], ElementsAre("uReflection"));
   ASSERT_EQ(all.faults.size(), 1u);
   EXPECT_EQ(all.faults[0].hint, "A hint");
+  EXPECT_EQ(all.faults[0].step, 1u);
   EXPECT_EQ(all.faults[0].signature.group, "group");
   EXPECT_NEAR(all.faults[0].signature.run[0].windows[0].at(0, 0), 0, 1e-4);
   ASSERT_EQ(all.others.size(), 1u);
