@@ -25,6 +25,9 @@ using gg::words;
 
 namespace {
 
+/// So many mistakes that show the same are named; more are no help.
+constexpr std::size_t kMostCauses = 3;
+
 /// All that the compiler reads.
 std::string compiledText(const fs::path& folder) {
   std::set<fs::path> files;
@@ -174,16 +177,23 @@ private:
     }
   }
 
-  /// Names the known mistake that shows the same in one scene, in `cause` and `hint`: one made
-  /// just now, else one in the finished program. Returns its TODO.
+  /// Names the known mistakes that show the same in one scene, in `cause` and `hint`: ones made
+  /// just now, else ones in the finished program. Returns their TODO; empty: none is known.
   std::string likeliest(std::size_t scene) {
-    const std::size_t all = expected_.todos.size();
-    const std::string todo = likeliest(scene, step_);
-    return todo.empty() && step_ < all ? likeliest(scene, all) : todo;
+    std::vector<const Fault*> faults = showingTheSame(scene, step_);
+    if (faults.empty() && step_ < expected_.todos.size())
+      faults = showingTheSame(scene, expected_.todos.size());
+    if (faults.empty() || faults.size() > kMostCauses) return {};
+    checked_.cause = words(faults[0]->title);
+    for (std::size_t k = 1; k < faults.size(); ++k)
+      checked_.cause = say("{}. Or: {}", checked_.cause, words(faults[k]->title));
+    if (faults.size() == 1) checked_.hint = words(faults[0]->hint);
+    return faults[0]->todo;
   }
 
-  /// The same among mistakes in the program that has done so many TODOs.
-  std::string likeliest(std::size_t scene, std::size_t step) {
+  /// The mistakes that show the same as the program, in one scene, among those in a program that
+  /// has done so many TODOs: all of the latest TODO that is begun.
+  std::vector<const Fault*> showingTheSame(std::size_t scene, std::size_t step) const {
     diagnosis::KnownFaults known;
     known.reference = {expected_.steps[step][scene]};
     std::vector<const Fault*> faults;
@@ -193,19 +203,34 @@ private:
         known.signatures.push_back(fault.signature);
         known.signatures.back().run = {fault.signature.run[scene]};
       }
-    // An unfinished program is no mistake: one that looks like it is named by its step.
     for (std::size_t k = 0; k < expected_.steps.size(); ++k)
       known.signatures.push_back(
           {fmt::format("step-{}", k), "", {expected_.steps[k][scene]}, true});
     const auto found = known.identify({*shown_[scene]});
-    if (!found || found->signature >= faults.size() ||
-        std::ranges::any_of(found->alike, [&](std::size_t i) { return i >= faults.size(); }))
-      return {};
-    const Fault& fault = *faults[found->signature];
-    if (!begun_.count(fault.todo)) return {};
-    checked_.cause = words(fault.title);
-    checked_.hint = words(fault.hint);
-    return fault.todo;
+    if (!found) return {};
+    std::vector<std::size_t> alike = found->alike;
+    alike.insert(alike.begin(), found->signature);
+    std::vector<const Fault*> same;
+    for (const std::size_t i : alike) {
+      // An unfinished program is no mistake, unless somebody has done that step already.
+      if (i >= faults.size() && step != step_) return {};
+      if (i < faults.size() && begun_.count(faults[i]->todo)) same.push_back(faults[i]);
+    }
+    // What was done before was looked at before.
+    const auto number = [&](const Fault* fault) {
+      return std::ranges::find(expected_.todos, fault->todo) - expected_.todos.begin();
+    };
+    std::ptrdiff_t latest = 0;
+    for (const Fault* fault : same) latest = std::max(latest, number(fault));
+    std::erase_if(same, [&](const Fault* fault) { return number(fault) != latest; });
+    // Two of one group are one mistake.
+    for (std::size_t i = 0; i < same.size(); ++i)
+      same.erase(std::remove_if(same.begin() + std::ptrdiff_t(i) + 1, same.end(),
+                                [&](const Fault* other) {
+                                  return other->signature.group == same[i]->signature.group;
+                                }),
+                 same.end());
+    return same;
   }
 
   void describe(const diagnosis::FirstWrong& first, const diagnosis::Run& student,

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 
@@ -74,34 +75,81 @@ bool showsTheSameWindows(const diagnosis::Run& a, const diagnosis::Run& b) {
 using Showing = std::function<std::vector<diagnosis::Signature>(
     const std::vector<grading::Faulty>& programs, const std::vector<std::size_t>& scenes)>;
 
+/// Where programs come from.
+struct Source {
+  const Assignment& assignment;
+  const fs::path& solutions;
+};
+
+/// All that a program's own files say; empty where it can't be made.
+std::string textOf(const Source& source, const grading::Faulty& faulty) {
+  const grading::TemporaryFolder folder;
+  try {
+    grading::writeFaulty(source.assignment, source.solutions, faulty, folder.path());
+  } catch (const UsageError&) {
+    return {};
+  }
+  std::string text;
+  for (const std::string& file : source.assignment.files)
+    text += file + '\n' + readFile(folder.path() / file);
+  return text;
+}
+
+/// Of mistakes in an unfinished program those that are there already. One that is larger than
+/// another and of which no more is there is left out: the other one is likelier.
+std::vector<const grading::Mistake*> thereAlready(const Source& source,
+                                                  const std::vector<const grading::Mistake*>& all,
+                                                  const std::set<std::string>& filled) {
+  const std::string right = textOf(source, {"", "", {}, filled});
+  std::map<std::string, const grading::Mistake*> smallest; // by text
+  for (const grading::Mistake* mistake : all) {
+    const std::string text = textOf(source, {mistake->name, "", {mistake->patch}, filled});
+    if (text.empty() || text == right) continue;
+    const auto [known, fresh] = smallest.emplace(text, mistake);
+    if (!fresh && fs::file_size(mistake->patch) < fs::file_size(known->second->patch))
+      known->second = mistake;
+  }
+  std::vector<const grading::Mistake*> there;
+  for (const grading::Mistake* mistake : all)
+    if (std::ranges::any_of(smallest, [&](const auto& one) { return one.second == mistake; }))
+      there.push_back(mistake);
+  return there;
+}
+
 /// The part's mistakes in TODOs that are to be done, each in the finished program and in the first
 /// unfinished one in which it shows. `filled`: TODOs that are done, by step.
-std::vector<check::Fault> faultsOf(const grading::Catalogue& catalogue,
+std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
                                    const check::Expected& expected,
                                    const std::vector<std::set<std::string>>& filled,
                                    const Showing& showing) {
+  const grading::Catalogue catalogue =
+      grading::loadCatalogue(source.assignment, part, source.solutions, source.solutions);
   std::vector<check::Fault> faults;
   std::set<std::string> shown; // in an unfinished program
   for (std::size_t k = 1; k < filled.size(); ++k) {
     const bool finished = k + 1 == filled.size();
-    std::vector<check::Fault> made;
-    std::vector<grading::Faulty> programs;
+    std::vector<const grading::Mistake*> mistakes;
     for (const grading::Mistake& mistake : catalogue.mistakes) {
       const auto draws =
           mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
       const auto done = std::span(expected.todos).first(k);
-      if (!draws || std::ranges::find(done, mistake.step) == done.end() ||
-          (!finished && shown.count(mistake.name)))
-        continue;
-      const std::string group = mistake.same.empty() ? mistake.name : mistake.same;
-      made.push_back({mistake.title,
-                      mistake.hint,
-                      mistake.step,
+      if (draws && std::ranges::find(done, mistake.step) != done.end() &&
+          (finished || !shown.count(mistake.name)))
+        mistakes.push_back(&mistake);
+    }
+    if (!finished) mistakes = thereAlready(source, mistakes, filled[k]);
+    std::vector<check::Fault> made;
+    std::vector<grading::Faulty> programs;
+    for (const grading::Mistake* mistake : mistakes) {
+      const std::string group = mistake->same.empty() ? mistake->name : mistake->same;
+      made.push_back({mistake->title,
+                      mistake->hint,
+                      mistake->step,
                       k,
-                      {mistake.name, group, diagnosis::Run(expected.scenes.size())}});
-      programs.push_back({mistake.name,
+                      {mistake->name, group, diagnosis::Run(expected.scenes.size())}});
+      programs.push_back({mistake->name,
                           group,
-                          {mistake.patch},
+                          {mistake->patch},
                           finished ? std::nullopt : std::optional(filled[k])});
     }
     std::set<std::string> visible;
@@ -199,7 +247,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   for (diagnosis::Signature& variant : showing(variants, numbers))
     if (!showsTheSameWindows(variant.run, expected.reference))
       expected.others.push_back(std::move(variant.run));
-  expected.faults = faultsOf(catalogue, expected, filled, showing);
+  expected.faults = faultsOf({assignment, solutions}, part, expected, filled, showing);
   std::set<std::string> handedOut = allTodos(assignment);
   for (const std::string& todo : blank) handedOut.erase(todo);
   report::makeFolder(check::stubFolder(into));

@@ -21,19 +21,6 @@ namespace {
 /// Raise it when views or their files change, so that what was kept is made again.
 constexpr int kLayout = 5;
 
-/// Files into `into`: the solution's, as `faulty` has them. Throws UsageError.
-void writeSources(const Assignment& assignment, const fs::path& solutionFolder,
-                  const Faulty& faulty, const fs::path& into) {
-  writePatched(assignment, solutionFolder, faulty.patches, into);
-  if (!faulty.filled) return;
-  for (const std::string& file : assignment.files) {
-    const std::string text =
-        authoring::withFilled(readFile(into / file), (into / file).string(), *faulty.filled);
-    if (!(std::ofstream(into / file, std::ios::binary) << text).flush())
-      throw UsageError(fmt::format("can't write {}: is the disk full?", (into / file).string()));
-  }
-}
-
 /// Programs that differ in shaders only are compiled once: hash of what the compiler reads.
 std::string compiledKey(const Assignment& assignment, const fs::path& sources,
                         const std::string& reference) {
@@ -62,6 +49,18 @@ bool build(const Assignment& assignment, const fs::path& sources, const fs::path
 }
 
 } // namespace
+
+void writeFaulty(const Assignment& assignment, const fs::path& solutionFolder, const Faulty& faulty,
+                 const fs::path& into) {
+  writePatched(assignment, solutionFolder, faulty.patches, into);
+  if (!faulty.filled) return;
+  for (const std::string& file : assignment.files) {
+    const std::string text =
+        authoring::withFilled(readFile(into / file), (into / file).string(), *faulty.filled);
+    if (!(std::ofstream(into / file, std::ios::binary) << text).flush())
+      throw UsageError(fmt::format("can't write {}: is the disk full?", (into / file).string()));
+  }
+}
 
 std::vector<Image> framesIn(const fs::path& folder) {
   return rubric::toImages(rubric::readFrames(folder));
@@ -107,7 +106,7 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
       ShaderCache shaders{references.shaders.folder, work.makeVisible("shaders")};
       bool good = false;
       try {
-        writeSources(assignment, solutionFolder, faulty, sources);
+        writeFaulty(assignment, solutionFolder, faulty, sources);
         good = build(assignment, sources, program, solution);
       } catch (const UsageError&) {
       }

@@ -20,6 +20,11 @@ struct Faulty {
   std::optional<std::set<std::string>> filled;
 };
 
+/// Writes the program's files to `into` (made if missing). Throws UsageError where that can't be
+/// done.
+void writeFaulty(const Assignment& assignment, const std::filesystem::path& solutionFolder,
+                 const Faulty& faulty, const std::filesystem::path& into);
+
 /// What the reference shows in a scene of the plan.
 using ReferenceViews = std::function<const diagnosis::SceneViews&(std::size_t scene)>;
 

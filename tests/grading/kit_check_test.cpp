@@ -24,7 +24,7 @@ namespace {
 class Check : public testing::Test {
 protected:
   void SetUp() override {
-    const Ended ended = runTool({"expect", "mirror", "--out", folder_.path()}, {}, 400);
+    const Ended ended = runTool({"expect", "mirror", "--out", folder_.path()}, {}, 900);
     ASSERT_EQ(ended.exitCode, 0) << ended.errors;
   }
 
@@ -185,6 +185,39 @@ TEST_F(Check, NamesAKnownMistakeAndItsTodo) {
   EXPECT_THAT(part.at("cause").get<std::string>(), HasSubstr("light"));
   EXPECT_EQ(part.at("todos").at(3).at("state"), "wrong") << part.dump(1);
   EXPECT_EQ(part.at("todos").at(1).at("state"), "done");
+}
+
+/// Where it is made, long before the program is finished.
+TEST_F(Check, NamesAKnownMistakeAtItsOwnStep) {
+  Submission light = Submission::firstSteps(4);
+  light.replace("floor.cpp", "scene.light.in(mirroredView)", "scene.light.in(view)");
+  json part = checked(light.path());
+  EXPECT_EQ(part.at("cause"), "The light is not brought into the mirrored view");
+  EXPECT_EQ(part.at("todos").at(3).at("state"), "wrong");
+  EXPECT_EQ(part.at("todos").at(2).at("state"), "done");
+  Submission clear = Submission::firstSteps(2);
+  clear.replace("floor.cpp",
+                "reflection.size);\n      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
+                "reflection.size);\n      glClear(GL_DEPTH_BUFFER_BIT);");
+  part = checked(clear.path());
+  // Which of two can't be told before objects are drawn.
+  EXPECT_EQ(part.at("cause"),
+            "The clear comes before the framebuffer object is bound. Or: Only the "
+            "depth of the framebuffer object is cleared");
+  EXPECT_EQ(part.at("todos").at(1).at("state"), "wrong");
+}
+
+/// The handout's blur is 0.01 of the window's height.
+TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
+  Submission submission = Submission::solution();
+  submission.replace("tile.frag", "uBlurSigma * vec2", "0.01 * vec2");
+  const Ended ended = Running(command(submission.path())).wait(100);
+  EXPECT_EQ(ended.exitCode, 1);
+  const fs::path file = folder_.path() / "mirror" / "scene-4.json";
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("mirror: 6 of 7 done"), HasSubstr("  mirror.7          wrong"),
+                    HasSubstr("(in another scene: " + file.string() + ")")));
+  EXPECT_EQ(json::parse(read(file)).at("mirror").at("blur"), 0.03);
 }
 
 TEST_F(Check, AnErrorOfOpenGlIsNeverDone) {
