@@ -5,6 +5,7 @@
 #include "diagnosis/outcome.hpp"
 #include "diagnosis/state.hpp"
 #include "grading/overlay.hpp"
+#include "grading/parallel.hpp"
 #include "image/png.hpp"
 #include "report/text.hpp"
 #include "report/write_file.hpp"
@@ -113,31 +114,41 @@ private:
     return rows;
   }
 
+  /// The public scene first: where that fails the others needn't be drawn.
   void draw(const fs::path& program) {
-    for (std::size_t i = 0; i < expected_.scenes.size(); ++i) {
-      const Scene& scene = expected_.scenes[i];
-      shown_.emplace_back();
-      if (!scene.todo.empty() && !begun_.count(scene.todo)) continue;
-      grading::Rendering rendering = grading::renderScene(
-          assignment_.id, program, scene.scene, scene.times, {work_ / "shaders"},
-          sandbox::Isolation::none, grading::gradingRequest(), {}, i == 0);
-      const std::vector<rubric::RawFrame> frames = grading::rawFrames(rendering.capture);
-      if (!frames.empty()) windows_[i] = rubric::toImage(frames.front());
-      if (i == 0) {
-        checked_.messages = messagesOf(rendering);
-        facts_ = grading::factsOf(rendering.capture, rendering.capture.trace);
-        stateFaults_ = diagnosis::stateFaults(rendering.capture.trace);
-        const std::set<std::string> with = diagnosis::samplersWithTexture(rendering.capture.trace);
-        for (const std::string& sampler : expected_.samplers[step_])
-          if (!with.count(sampler)) withoutTexture_.push_back(sampler);
-        checked_.happened = rendering.happened;
-      }
-      if (!rendering.happened.ok()) {
-        checked_.happened = rendering.happened;
-        return;
-      }
-      shown_.back() = diagnosis::views(rubric::toImages(frames), rendering.capture.trace);
-    }
+    shown_.resize(expected_.scenes.size());
+    const grading::Rendering first = drawScene(program, 0);
+    checked_.messages = messagesOf(first);
+    facts_ = grading::factsOf(first.capture, first.capture.trace);
+    stateFaults_ = diagnosis::stateFaults(first.capture.trace);
+    const std::set<std::string> with = diagnosis::samplersWithTexture(first.capture.trace);
+    for (const std::string& sampler : expected_.samplers[step_])
+      if (!with.count(sampler)) withoutTexture_.push_back(sampler);
+    checked_.happened = first.happened;
+    if (!checked_.happened.ok()) return;
+    std::vector<std::size_t> others;
+    for (std::size_t i = 1; i < expected_.scenes.size(); ++i)
+      if (const std::string& todo = expected_.scenes[i].todo; todo.empty() || begun_.count(todo))
+        others.push_back(i);
+    std::vector<grading::Happened> happened(others.size());
+    grading::inParallel(others.size(), grading::workers(), [&](std::size_t k) {
+      happened[k] = drawScene(program, others[k]).happened;
+    });
+    for (const grading::Happened& one : happened)
+      if (!one.ok() && checked_.happened.ok()) checked_.happened = one;
+  }
+
+  /// Keeps what one scene shows, if it could be drawn.
+  grading::Rendering drawScene(const fs::path& program, std::size_t i) {
+    const Scene& scene = expected_.scenes[i];
+    grading::Rendering rendering =
+        grading::renderScene(assignment_.id, program, scene.scene, scene.times, {work_ / "shaders"},
+                             sandbox::Isolation::none, grading::gradingRequest(), {}, i == 0);
+    const std::vector<rubric::RawFrame> frames = grading::rawFrames(rendering.capture);
+    if (!frames.empty()) windows_[i] = rubric::toImage(frames.front());
+    if (rendering.happened.ok())
+      shown_[i] = diagnosis::views(rubric::toImages(frames), rendering.capture.trace);
+    return rendering;
   }
 
   /// The scenes that were drawn, of a run that has all.
@@ -197,12 +208,13 @@ private:
     diagnosis::KnownFaults known;
     known.reference = {expected_.steps[step][scene]};
     std::vector<const Fault*> faults;
-    for (const Fault& fault : expected_.faults)
-      if (fault.step == step && isShownIn(expected_.scenes[scene], fault.todo)) {
-        faults.push_back(&fault);
-        known.signatures.push_back(fault.signature);
-        known.signatures.back().run = {fault.signature.run[scene]};
-      }
+    for (std::size_t i = 0; i < expected_.faults.size(); ++i) {
+      const Fault& fault = expected_.faults[i];
+      if (fault.step != step || !isShownIn(expected_.scenes[scene], fault.todo)) continue;
+      faults.push_back(&fault);
+      known.signatures.push_back(fault.signature);
+      known.signatures.back().run = {viewsOf(expected_, i, scene)};
+    }
     for (std::size_t k = 0; k < expected_.steps.size(); ++k)
       known.signatures.push_back(
           {fmt::format("step-{}", k), "", {expected_.steps[k][scene]}, true});

@@ -26,19 +26,16 @@ void saveRun(const Run& run, const Run* base, const fs::path& folder, const std:
       diagnosis::save(run[i], base ? &(*base)[i] : nullptr, viewsFile(folder, program, i));
 }
 
-/// `kept`: is this scene known of the program?
-template <class Kept>
-Run loadRun(std::size_t scenes, const Run* base, const fs::path& folder, const std::string& program,
-            Kept kept) {
-  Run run(scenes);
+Run loadRun(std::size_t scenes, const Run* base, const fs::path& folder,
+            const std::string& program) {
+  Run run;
   for (std::size_t i = 0; i < scenes; ++i)
-    if (kept(i))
-      run[i] = diagnosis::load(viewsFile(folder, program, i), base ? &(*base)[i] : nullptr);
+    run.push_back(diagnosis::load(viewsFile(folder, program, i), base ? &(*base)[i] : nullptr));
   return run;
 }
 
-bool always(std::size_t) {
-  return true;
+std::string nameOfFault(std::size_t number) {
+  return fmt::format("fault-{}", number);
 }
 
 } // namespace
@@ -102,7 +99,7 @@ void save(const Expected& expected, const fs::path& folder) {
     saveRun(expected.others[k], &expected.reference, folder, fmt::format("other-{}", k));
   for (std::size_t k = 0; k < expected.faults.size(); ++k)
     saveRun(expected.faults[k].signature.run, &expected.steps[expected.faults[k].step], folder,
-            fmt::format("fault-{}", k));
+            nameOfFault(k));
 }
 
 Expected load(const fs::path& folder) {
@@ -120,32 +117,33 @@ Expected load(const fs::path& folder) {
                                  scene.at("times").get<std::vector<double>>(), scene.at("todo"),
                                  scene.at("another")});
     const std::size_t scenes = expected.scenes.size();
-    expected.reference = loadRun(scenes, nullptr, folder, "reference", always);
+    expected.reference = loadRun(scenes, nullptr, folder, "reference");
     for (std::size_t k = 0; k <= expected.todos.size(); ++k)
       expected.steps.push_back(
-          loadRun(scenes, &expected.reference, folder, fmt::format("step-{}", k), always));
+          loadRun(scenes, &expected.reference, folder, fmt::format("step-{}", k)));
     for (std::size_t k = 0; k < all.at("others"); ++k)
       expected.others.push_back(
-          loadRun(scenes, &expected.reference, folder, fmt::format("other-{}", k), always));
+          loadRun(scenes, &expected.reference, folder, fmt::format("other-{}", k)));
     for (const json& one : all.at("faults")) {
-      const std::string name = fmt::format("fault-{}", expected.faults.size());
-      Fault fault{one.at("title"),
-                  one.at("hint"),
-                  one.at("todo"),
-                  one.at("step"),
-                  {name, one.at("group"), {}}};
-      if (fault.step > expected.todos.size())
-        throw UsageError(fmt::format("{}: faults: step {} of {}", file.string(), fault.step,
-                                     expected.todos.size()));
-      fault.signature.run =
-          loadRun(scenes, &expected.steps[fault.step], folder, name,
-                  [&](std::size_t i) { return isShownIn(expected.scenes[i], fault.todo); });
-      expected.faults.push_back(std::move(fault));
+      const std::string name = nameOfFault(expected.faults.size());
+      expected.faults.push_back({one.at("title"),
+                                 one.at("hint"),
+                                 one.at("todo"),
+                                 one.at("step"),
+                                 {name, one.at("group"), {}}});
+      if (const std::size_t step = expected.faults.back().step; step > expected.todos.size())
+        throw UsageError(
+            fmt::format("{}: faults: step {} of {}", file.string(), step, expected.todos.size()));
     }
   } catch (const json::exception& error) {
     throw UsageError(fmt::format("{}: {}", file.string(), error.what()));
   }
   return expected;
+}
+
+diagnosis::SceneViews viewsOf(const Expected& expected, std::size_t fault, std::size_t scene) {
+  return diagnosis::load(viewsFile(expected.folder, nameOfFault(fault), scene),
+                         &expected.steps[expected.faults[fault].step][scene]);
 }
 
 } // namespace ggrade::check

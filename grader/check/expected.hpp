@@ -29,7 +29,8 @@ struct Fault {
   std::string title, hint;
   std::string todo;     ///< in which it is made
   std::size_t step = 0; ///< TODOs that the program has done, this one included
-  /// Of the public scene and of those of its TODO; of the others nothing is known.
+  /// Of the public scene and of those of its TODO; of the others nothing is known. What was read
+  /// from a file has no pictures yet, see `viewsOf`.
   diagnosis::Signature signature;
 };
 
@@ -76,5 +77,8 @@ std::filesystem::path wordsFile(const std::filesystem::path& folder);
 void save(const Expected& expected, const std::filesystem::path& folder);
 /// Throws UsageError for a file that is missing or cut off.
 Expected load(const std::filesystem::path& folder);
+/// What a fault, by its number, shows in a scene in which it is known. There are many, and few are
+/// ever asked for. Throws UsageError likewise.
+diagnosis::SceneViews viewsOf(const Expected& expected, std::size_t fault, std::size_t scene);
 
 } // namespace ggrade::check

@@ -69,6 +69,14 @@ bool equal(const Image* a, const Image* b) {
   return a == b || (a && b && sameSize(*a, *b) && std::ranges::equal(a->values(), b->values()));
 }
 
+/// Is no value further from the other's than the tolerance?
+bool within(const Image& a, const Image& b) {
+  if (!sameSize(a, b) || a.channels() != b.channels()) return false;
+  for (std::size_t i = 0; i < a.values().size(); ++i)
+    if (!(std::abs(a.values()[i] - b.values()[i]) <= kTolerance)) return false;
+  return true;
+}
+
 /// The slots of all scenes, in the order in which they are made.
 std::vector<Slot> slotsOf(const Run& reference) {
   std::vector<Slot> slots;
@@ -119,7 +127,7 @@ std::vector<float> distance(const Image* a, const Image* b) {
 }
 
 double differingShare(const Image* a, const Image* b) {
-  return equal(a, b) ? 0 : mean(distance(a, b));
+  return equal(a, b) || (a && b && within(*a, *b)) ? 0 : mean(distance(a, b));
 }
 
 bool alike(const Image* a, const Image* b) {

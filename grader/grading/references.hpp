@@ -2,6 +2,7 @@
 /// \file
 /// The reference's, stub's and probes' pictures, rendered once and kept.
 
+#include "grading/parallel.hpp"
 #include "grading/program.hpp"
 #include "grading/scenes.hpp"
 #include "rubric/evidence.hpp"
@@ -45,12 +46,5 @@ std::string wordsKey(const Assignment& assignment, const std::filesystem::path& 
 References prepareReferences(const Target& target, const std::filesystem::path& solutionFolder,
                              const ScenePlan& plan, const Progress& progress,
                              const std::filesystem::path& elsewhere = {});
-
-/// How many runs go at a time: one a core.
-unsigned workers();
-
-/// Runs task(0) ... task(count - 1) on `workers` threads. The first exception is thrown on when all
-/// have ended.
-void inParallel(std::size_t count, unsigned workers, const std::function<void(std::size_t)>& task);
 
 } // namespace ggrade::grading
