@@ -260,8 +260,16 @@ TEST_P(Handouts, ShowOnlyPicturesThatAreThereAndAllOfThem) {
       const std::string name = texts.substr(at + 2, texts.find(')', at) - at - 2);
       EXPECT_TRUE(std::filesystem::exists(assignment.folder / name)) << name;
     }
-    for (const auto& entry : std::filesystem::directory_iterator(assignment.folder / "handout"))
-      EXPECT_THAT(texts, testing::HasSubstr("(handout/" + entry.path().filename().string() + ")"));
+    // Of a picture with words in it each language has its own.
+    const bool english = GetParam().language == gg::Language::english;
+    for (const auto& entry : std::filesystem::directory_iterator(assignment.folder / "handout")) {
+      const std::filesystem::path& file = entry.path();
+      const bool japanese = file.stem().extension() == ".ja";
+      auto twin = file;
+      twin.replace_extension(".ja" + file.extension().string());
+      if (english ? japanese : !japanese && std::filesystem::exists(twin)) continue;
+      EXPECT_THAT(texts, testing::HasSubstr("(handout/" + file.filename().string() + ")"));
+    }
   }
 }
 
