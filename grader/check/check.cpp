@@ -151,26 +151,29 @@ private:
     return rendering;
   }
 
-  /// The scenes that were drawn, of a run that has all.
-  diagnosis::Run drawn(const diagnosis::Run& all) const {
-    diagnosis::Run run;
-    for (std::size_t i = 0; i < shown_.size(); ++i)
-      if (shown_[i]) run.push_back(all[i]);
-    return run;
-  }
-
   void judge() {
-    diagnosis::Run student;
-    std::vector<std::size_t> scenes;
-    for (std::size_t i = 0; i < shown_.size(); ++i)
-      if (shown_[i]) {
-        student.push_back(*shown_[i]);
-        scenes.push_back(i);
-      }
-    const diagnosis::Run should = drawn(expected_.steps[step_]);
-    const auto first = diagnosis::firstWrong(student, should);
+    // Another scene tells something only where those that were handed out are right.
+    std::optional<diagnosis::FirstWrong> first;
+    for (const bool another : {false, true}) {
+      diagnosis::Run student, should;
+      std::vector<std::size_t> scenes;
+      for (std::size_t i = 0; i < shown_.size(); ++i)
+        if (shown_[i] && expected_.scenes[i].another == another) {
+          student.push_back(*shown_[i]);
+          should.push_back(expected_.steps[step_][i]);
+          scenes.push_back(i);
+        }
+      first = diagnosis::firstWrong(student, should);
+      if (!first) continue;
+      first->scene = scenes[first->scene];
+      break;
+    }
     std::string suspect;
-    if (first) suspect = likeliest(scenes[first->scene]);
+    if (first && !expected_.scenes[first->scene].another)
+      suspect = likeliest(first->scene);
+    else if (first)
+      checked_.cause = say("It is right in the handed-out scenes and wrong in another one: is a "
+                           "number typed in that comes from the scene, the window or a texture?");
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     // A call that fails does nothing, whether that is seen already or not.
     if (checked_.happened.outcome == report::Outcome::glError && allRight(checked_.rows))
@@ -184,7 +187,7 @@ private:
       checked_.cause.clear();
       checked_.hint.clear();
     } else if (first) {
-      describe(*first, student, should, scenes);
+      describe(*first);
     }
   }
 
@@ -245,13 +248,13 @@ private:
     return same;
   }
 
-  void describe(const diagnosis::FirstWrong& first, const diagnosis::Run& student,
-                const diagnosis::Run& should, const std::vector<std::size_t>& scenes) {
+  /// `first.scene` is one of `Expected::scenes`.
+  void describe(const diagnosis::FirstWrong& first) {
     Wrong wrong;
-    wrong.name = first.slot ? diagnosis::words(*first.slot)
-                            : say("the window at {} s",
-                                  expected_.scenes[scenes[first.scene]].times[first.frame]);
-    wrong.scene = scenes[first.scene];
+    wrong.name = first.slot
+                     ? diagnosis::words(*first.slot)
+                     : say("the window at {} s", expected_.scenes[first.scene].times[first.frame]);
+    wrong.scene = first.scene;
     wrong.share = first.share;
     const auto picture = [&](const SceneViews& views) -> const Image* {
       if (!first.slot)
@@ -259,8 +262,8 @@ private:
       const diagnosis::PassView* pass = views.find(*first.slot);
       return pass ? &pass->picture : nullptr;
     };
-    const Image* ours = picture(student[first.scene]);
-    const Image* expected = picture(should[first.scene]);
+    const Image* ours = picture(*shown_[first.scene]);
+    const Image* expected = picture(expected_.steps[step_][first.scene]);
     if (ours) wrong.ours = *ours;
     if (expected) wrong.expected = *expected;
     if (ours && expected && ours->channels() == expected->channels()) {

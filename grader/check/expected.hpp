@@ -50,9 +50,9 @@ struct Expected {
   std::filesystem::path folder; ///< where it was read from
 };
 
-/// Does a fault of this TODO show in a scene: the public one, or the TODO's own?
+/// Is it known what a fault of this TODO shows in a scene: the public one, or the TODO's own?
 inline bool isShownIn(const Scene& scene, const std::string& todo) {
-  return scene.todo.empty() || scene.todo == todo;
+  return !scene.another && (scene.todo.empty() || scene.todo == todo);
 }
 
 /// Is a scene drawn of a program that should have done so many TODOs?

@@ -216,7 +216,9 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
   const fs::path file = folder_.path() / "mirror" / "scene-4.json";
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("mirror: 6 of 7 done"), HasSubstr("  mirror.7          wrong"),
-                    HasSubstr("(in another scene: " + file.string() + ")")));
+                    HasSubstr("(in another scene: " + file.string() + ")"),
+                    HasSubstr("Likely cause: It is right in the handed-out scenes and wrong in "
+                              "another one: is a number typed in")));
   EXPECT_EQ(json::parse(read(file)).at("mirror").at("blur"), 0.03);
 }
 

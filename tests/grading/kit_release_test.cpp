@@ -47,7 +47,7 @@ void expectEveryStepKnown(const ggrade::Part& part, const fs::path& expected) {
 TEST(Kit, HoldsNoSolutionAndKnowsEveryStep) {
   const TemporaryFolder folder;
   const fs::path kit = folder.path() / "kit";
-  const Ended ended = runTool({"release", "--out", kit}, {}, 1500);
+  const Ended ended = runTool({"release", "--out", kit}, {}, 3000);
   ASSERT_EQ(ended.exitCode, 0) << ended.errors;
   EXPECT_THAT(names(kit),
               IsSupersetOf({"CMakeLists.txt", "README.md", "README.ja.md", "assignments", "cmake",
