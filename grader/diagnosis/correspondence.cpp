@@ -115,8 +115,7 @@ SceneViews corresponding(const SceneViews& scene, const SceneViews& reference) {
     for (const PassView* right : theirs)
       if (sameKind(own->slot, right->slot)) {
         const double differs = differingShare(&right->picture, &own->picture);
-        const bool same = differs < kWrongShare || (own->picture.channels() > 0 &&
-                                                    holdTheSame(right->picture, own->picture));
+        const bool same = differs < kWrongShare || holdTheSame(right->picture, own->picture);
         // What holds the same comes first, but what looks the same before it.
         candidates.push_back({same ? differs - 1 : differs, own, right, same});
       }
