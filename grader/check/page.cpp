@@ -12,6 +12,7 @@
 
 namespace ggrade::check {
 
+namespace fs = std::filesystem;
 using gg::say;
 using gg::words;
 using report::Data;
@@ -201,7 +202,8 @@ std::string stepToRead(const Looked& looked) {
           if (looked.part->todos[k].id == row.todo)
             return say("{}, step {}: {}", looked.handout, k + 1,
                        words(looked.part->todos[k].title));
-  return {};
+  return say("every step is done; hand in what you changed in {}",
+             fs::path(looked.handout).parent_path().string());
 }
 
 std::string page(const std::string& title, const std::vector<Looked>& all, bool watched) {

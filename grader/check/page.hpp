@@ -18,7 +18,7 @@ struct Looked {
 std::string nameOf(State state);
 
 /// The file and the heading of the handout's step to read now: that of the wrong TODO, else of the
-/// next one to begin; empty when all is done, and where nothing was drawn.
+/// next one to begin; what to do when all is done; empty where nothing was drawn.
 std::string stepToRead(const Looked& looked);
 
 /// A self-contained HTML page. `watched`: it shows itself anew every second.
