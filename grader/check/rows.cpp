@@ -125,6 +125,13 @@ public:
     return any > 0 ? both / any : 0;
   }
 
+  /// The first picture that isn't as after step `should`.
+  std::optional<std::size_t> firstWrong(std::size_t should) const {
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (!same(c, should)) return c;
+    return std::nullopt;
+  }
+
 private:
   const Image* ofStep(std::size_t k, const Cell& cell) const {
     return pictureOf(expected_.steps[k][cell.scene], cell);
@@ -205,9 +212,18 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
       most = overlap;
     }
   }
+  // What each one changes first is right. Then it is the one that changes what is wrong, or the
+  // last one.
+  const std::optional<std::size_t> wrong = judging.firstWrong(should);
   if (!culprit && windows.empty())
-    for (Row& row : all)
-      if (row.state == State::waits || row.state == State::done) culprit = &row; // the last one
+    for (std::size_t k = 1; k < judging.steps(); ++k) {
+      Row& row = all[k - 1];
+      if (row.state != State::waits && row.state != State::done) continue;
+      const double overlap = wrong ? judging.overlap(*wrong, k, should) : 0;
+      if (overlap < most) continue;
+      culprit = &row;
+      most = overlap;
+    }
   if (culprit && windows.empty() && suspect.empty() && judging.isNearly(should)) {
     allBegunAreDone();
     culprit->state = State::nearly;

@@ -33,7 +33,7 @@ const Image kClipped = painted(kShows, 0.4f, 0.85f, 0.6f, 0.9f, 0.1f);
 Expected expected() {
   Expected all;
   for (const char* todo : {"m.1", "m.2", "m.3", "m.4", "m.5"}) all.todos.push_back(todo);
-  all.scenes = {{"public", {}, {0}, ""}};
+  all.scenes = {{"public", {}, {0}, "", false}};
   SceneViews stub = seen(kEmpty, kWindow);
   stub.passes.clear();
   // What is only cleared is not yet the texture that objects are drawn into.
@@ -142,6 +142,18 @@ TEST(CheckRows, WhatWasLeftOutIsWaitedFor) {
 
 TEST(CheckRows, PassesMayBeMadeInAnotherWayWhereTheWindowIsRight) {
   EXPECT_EQ(states(seen(Image(256, 256, 3, 0.9f), kClipped), first(5)), "ddddd");
+}
+
+TEST(CheckRows, WhatIsWrongInAnotherSceneAloneIsTheOnesThatChangesItThere) {
+  Expected all = expected();
+  all.scenes.push_back({"another", {}, {1}, "", true});
+  for (diagnosis::Run& step : all.steps) step.push_back(step[0]);
+  all.reference = all.steps.back();
+  const SceneViews right = all.reference[0];
+  SceneViews wrong = right;
+  wrong.windows[0] = diagnosis::reduced(painted(kClipped, 0, 0.6f, 0.35f, 1, 0.9f), 3);
+  EXPECT_EQ(letters(rows(all, {right, right}, first(5))), "ddddd");
+  EXPECT_EQ(letters(rows(all, {right, wrong}, first(5))), "ddwdd");
 }
 
 TEST(CheckRows, SomethingElseThatIsWrongIsTheLastOnes) {
