@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -41,10 +42,11 @@ struct Watch {
   std::map<GLuint, Target> targets; // by framebuffer; 0: the window
   std::vector<GLuint> drawnInto;    // framebuffer objects
   TextureTargets textures;
-  std::map<GLuint, std::string> boundAt;       // a framebuffer, last
-  std::map<std::string, std::string> calledAt; // a function, last
-  std::set<GLuint> programs;                   // looked at
-  std::set<std::string> perhaps;               // worth saying if nothing is to be seen
+  std::map<GLuint, std::string> boundAt;          // a framebuffer, last
+  std::map<std::string, std::string> calledAt;    // a function, last
+  std::map<GLuint, std::optional<bool>> programs; // looked at: is gl_ClipDistance written?
+  bool clippingIsWrong = false;
+  std::set<std::string> perhaps; // worth saying if nothing is to be seen
   bool foundSomething = false;
 };
 Watch watch;
@@ -81,6 +83,21 @@ void onClear(GLbitfield what) {
     target.depthCleared = true;
 }
 
+// Wrong on a graphics card; software may clip by what is written and by nothing else.
+void checkClipping(std::optional<bool> isWritten) {
+  const bool clips = glad_glIsEnabled(GL_CLIP_DISTANCE0) == GL_TRUE;
+  if (watch.clippingIsWrong || clips == isWritten.value_or(clips)) return;
+  watch.clippingIsWrong = true; // said once is enough
+  find(
+      (clips
+           ? say("GL_CLIP_DISTANCE0 is enabled, but a vertex shader that draws writes no "
+                 "gl_ClipDistance: a graphics card may cut off anything. "
+                 "glDisable(GL_CLIP_DISTANCE0) before it draws")
+           : say("a vertex shader writes gl_ClipDistance, but GL_CLIP_DISTANCE0 is not enabled "
+                 "while it draws: a graphics card cuts off nothing. glEnable(GL_CLIP_DISTANCE0)")) +
+      lastPlace());
+}
+
 void onDraw() {
   const GLuint framebuffer = boundForDrawing();
   Target& target = watch.targets[framebuffer];
@@ -110,7 +127,11 @@ void onDraw() {
                "before shows through. glClear(GL_COLOR_BUFFER_BIT)") +
            lastPlace());
   }
-  if (watch.programs.insert(GLuint(ask(GL_CURRENT_PROGRAM))).second) {
+  const auto program = static_cast<GLuint>(ask(GL_CURRENT_PROGRAM));
+  const auto [known, isNew] = watch.programs.try_emplace(program);
+  if (isNew) known->second = writesClipDistance(program);
+  checkClipping(known->second);
+  if (isNew) {
     const SamplerFaults faults = samplerFaults();
     for (const std::string& fault : faults.certain) find(fault + lastPlace());
     for (const std::string& fault : faults.perhaps) watch.perhaps.insert(fault + lastPlace());

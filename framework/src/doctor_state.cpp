@@ -1,6 +1,7 @@
 #include "doctor_state.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include "words/words.hpp"
 
@@ -177,6 +178,45 @@ SamplerFaults samplerFaults() {
   }
   glad_glActiveTexture(GLenum(unitBefore));
   return faults;
+}
+
+namespace {
+
+// GLSL without its comments (GLSL 4.10, 3.3).
+std::string withoutComments(std::string_view text) {
+  std::string code;
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string_view rest = text.substr(i);
+    const std::string_view end = rest.starts_with("//") ? "\n" : rest.starts_with("/*") ? "*/" : "";
+    if (end.empty()) {
+      code += text[i++];
+    } else {
+      const std::size_t close = text.find(end, i + 2);
+      i = close == text.npos ? text.size() : close + end.size();
+      code += ' ';
+    }
+  }
+  return code;
+}
+
+} // namespace
+
+std::optional<bool> writesClipDistance(GLuint program) {
+  GLint count = 0;
+  if (program != 0) glad_glGetProgramiv(program, GL_ATTACHED_SHADERS, &count);
+  if (count == 0) return std::nullopt;
+  std::vector<GLuint> shaders(static_cast<std::size_t>(count));
+  glad_glGetAttachedShaders(program, count, nullptr, shaders.data());
+  for (const GLuint shader : shaders) {
+    GLint stage = 0, length = 0;
+    glad_glGetShaderiv(shader, GL_SHADER_TYPE, &stage);
+    glad_glGetShaderiv(shader, GL_SHADER_SOURCE_LENGTH, &length);
+    if (stage == GL_FRAGMENT_SHADER || length == 0) continue;
+    std::string text(static_cast<std::size_t>(length), '\0');
+    glad_glGetShaderSource(shader, length, nullptr, text.data());
+    if (withoutComments(text).find("gl_ClipDistance") != text.npos) return true;
+  }
+  return false;
 }
 
 Image windowPicture(const glm::ivec2& window) {

@@ -4,6 +4,7 @@
 /// back what it changed and leaves no error behind.
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,10 @@ glm::ivec2 framebufferSize(const TextureTargets& targets);
 
 /// Has the framebuffer that is bound for drawing a depth buffer?
 bool hasDepth();
+
+/// Is gl_ClipDistance written before this program's fragment shader? Told from the text of its
+/// shaders; nothing where they aren't attached any more.
+std::optional<bool> writesClipDistance(GLuint program);
 
 /// What is wrong with the textures that the current program's samplers read, a sentence each.
 struct SamplerFaults {

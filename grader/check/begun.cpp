@@ -21,10 +21,20 @@ std::vector<std::string> linesOf(std::string_view text) {
   return lines;
 }
 
-/// For each line of `stub` whose place it is in; empty: nobody's.
-std::vector<std::string> places(const std::vector<std::string>& stub) {
+/// Without white space: neither a comment nor the head or end of a block.
+bool isStatement(const std::string& line) {
+  return line.ends_with(';') && !line.starts_with("//");
+}
+
+/// By line of the stub, whose place it is; empty: nobody's.
+struct Places {
+  std::vector<std::string> added;   ///< what is written after this line
+  std::vector<std::string> changed; ///< what is written in place of it
+};
+
+Places places(const std::vector<std::string>& stub) {
   static const std::regex kTodo(R"(TODO\(([a-z0-9_]+\.[0-9]+)\))");
-  std::vector<std::string> owners;
+  Places owners;
   std::string owner;
   for (const std::string& line : stub) {
     std::set<std::string> named;
@@ -32,7 +42,13 @@ std::vector<std::string> places(const std::vector<std::string>& stub) {
       named.insert((*i)[1]);
     if (named.size() == 1) owner = *named.begin();
     if (named.size() > 1) owner.clear();
-    owners.push_back(owner);
+    // "negate it" speaks of the statement right above.
+    const std::size_t number = owners.added.size();
+    if (number > 0 && named.size() == 1 && line.starts_with("//TODO(") &&
+        isStatement(stub[number - 1]))
+      owners.changed.back() = owner;
+    owners.added.push_back(owner);
+    owners.changed.push_back(owner);
   }
   return owners;
 }
@@ -52,17 +68,20 @@ std::vector<std::vector<int>> commonEnds(const std::vector<std::string>& a,
 
 std::set<std::string> begunIn(std::string_view stubText, std::string_view text) {
   const std::vector<std::string> stub = linesOf(stubText), now = linesOf(text);
-  const std::vector<std::string> owners = places(stub);
+  const Places owners = places(stub);
   const auto common = commonEnds(stub, now);
   std::set<std::string> begun;
   std::size_t i = 0;
+  const std::vector<std::string>* written = &owners.added;
   for (std::size_t k = 0; k < now.size();) {
     if (i < stub.size() && stub[i] == now[k]) {
       ++i, ++k;
+      written = &owners.added;
     } else if (i < stub.size() && common[i + 1][k] >= common[i][k + 1]) {
       ++i;
+      written = &owners.changed;
     } else {
-      if (!now[k].empty() && i > 0 && !owners[i - 1].empty()) begun.insert(owners[i - 1]);
+      if (!now[k].empty() && i > 0 && !(*written)[i - 1].empty()) begun.insert((*written)[i - 1]);
       ++k;
     }
   }

@@ -168,12 +168,17 @@ private:
       first->scene = scenes[first->scene];
       break;
     }
-    std::string suspect;
-    if (first && !expected_.scenes[first->scene].another)
-      suspect = likeliest(first->scene);
-    else if (first)
-      checked_.cause = say("It is right in the handed-out scenes and wrong in another one: is a "
-                           "number typed in that comes from the scene, the window or a texture?");
+    Suspect suspect;
+    if (first && !expected_.scenes[first->scene].another) {
+      suspect.todo = likeliest(first->scene);
+      suspect.knownMistake = !suspect.todo.empty();
+    } else if (first) {
+      suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one alone
+      checked_.cause =
+          say("It is right in the handed-out scenes and wrong in another one: is a number typed in "
+              "that comes from the scene, the window or a texture, or is something missing that "
+              "hardly shows in the others?");
+    }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     // A call that fails does nothing, whether that is seen already or not.
     if (checked_.happened.outcome == report::Outcome::glError && allRight(checked_.rows))

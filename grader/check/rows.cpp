@@ -161,7 +161,7 @@ std::size_t expectedStep(const Expected& expected, const std::set<std::string>& 
 }
 
 std::vector<Row> rows(const Expected& expected, const Shown& shown,
-                      const std::set<std::string>& begun, const std::string& suspect) {
+                      const std::set<std::string>& begun, const Suspect& suspect) {
   const Judging judging(expected, shown);
   const std::vector<std::size_t> windows = judging.withTheseWindows();
   const std::size_t should = expectedStep(expected, begun);
@@ -188,14 +188,14 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     allBegunAreDone();
     return all;
   }
-  // Of those that aren't right one is to be mended first: the known mistake's; else, of those that
+  // Of those that aren't right one is to be mended first: the suspect; else, of those that
   // change the earliest wrong picture, the one that changes what is wrong in it.
   Row* culprit = nullptr;
   std::size_t earliest = 0;
   double most = -1;
   for (std::size_t k = 1; k < judging.steps(); ++k) {
     Row& row = all[k - 1];
-    if (row.todo == suspect && row.state != State::notBegun) {
+    if (row.todo == suspect.todo && row.state != State::notBegun) {
       culprit = &row;
       break;
     }
@@ -224,7 +224,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
       culprit = &row;
       most = overlap;
     }
-  if (culprit && windows.empty() && suspect.empty() && judging.isNearly(should)) {
+  if (culprit && windows.empty() && !suspect.knownMistake && judging.isNearly(should)) {
     allBegunAreDone();
     culprit->state = State::nearly;
   } else if (culprit) {

@@ -33,12 +33,17 @@ bool allRight(const std::vector<Row>& rows);
 /// What a program showed in the first scenes of `Expected`; nothing for one that was not drawn.
 using Shown = std::vector<std::optional<diagnosis::SceneViews>>;
 
+/// Where a mistake may lie.
+struct Suspect {
+  std::string todo;          ///< empty: nothing is known
+  bool knownMistake = false; ///< does a known one show just this? Then little is wrong, too
+};
+
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,
 /// however its passes are made; else each TODO by the first picture of a frame that it changes.
 /// \param begun TODOs whose places in the text have changed
-/// \param suspect the TODO that a known mistake points to; empty: none is known
 std::vector<Row> rows(const Expected& expected, const Shown& shown,
-                      const std::set<std::string>& begun, const std::string& suspect = {});
+                      const std::set<std::string>& begun, const Suspect& suspect = {});
 
 /// How many TODOs the program after which `shown` should look has done: up to the last that is
 /// begun.

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <thread>
@@ -15,6 +16,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::ResultOf;
 using testing::internal::CaptureStderr;
 using testing::internal::GetCapturedStderr;
 
@@ -66,6 +68,10 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Framework, Doctor, testing::Values("0", "1"), [](const auto& one) {
   return std::string(one.param) == "0" ? "WithoutTheDriversWords" : "WithTheDriversWords";
 });
+
+std::ptrdiff_t lines(const std::string& text) {
+  return std::ranges::count(text, '\n');
+}
 
 /// A texture of 16 x 16 pixels to draw into.
 struct Target {
@@ -201,6 +207,62 @@ TEST_P(Doctor, CullingIsLeftAtFront) {
       }),
       HasSubstr("frame doctor: culling is left at GL_FRONT: what faces the eye is not drawn "
                 "in the next frame. glCullFace(GL_BACK) (framework_doctor_test.cpp:"));
+}
+
+TEST_P(Doctor, ClippingIsEnabledForAShaderThatWritesNoDistance) {
+  EXPECT_THAT(frame([&](gg::Window&) {
+                const gg::Program red = triangle(), green = triangle("vec4(0, 1, 0, 1)");
+                glEnable(GL_CLIP_DISTANCE0);
+                clear();
+                for (const gg::Program* program : {&red, &green}) {
+                  program->use();
+                  draw();
+                }
+                glDisable(GL_CLIP_DISTANCE0);
+              }),
+              AllOf(HasSubstr("frame doctor: GL_CLIP_DISTANCE0 is enabled, but a vertex shader "
+                              "that draws writes no gl_ClipDistance: a graphics card may cut off "
+                              "anything. glDisable(GL_CLIP_DISTANCE0) before it draws (framework_"
+                              "doctor_test.cpp:"),
+                    ResultOf(lines, 1)));
+}
+
+TEST_P(Doctor, ADistanceIsWrittenWhileClippingIsNotEnabled) {
+  const auto clipping = [&](bool enabled) {
+    return frame([&](gg::Window&) {
+      folder.write("clip.vert", "#version 410 core\n"
+                                "void main() { gl_Position = vec4(2 * (gl_VertexID & 1) - 1, "
+                                "2 * (gl_VertexID >> 1) - 1, 0, 1); gl_ClipDistance[0] = 1; }\n");
+      const gg::Program red = triangle();
+      const gg::Program clip({"clip.vert", "test.frag"}, folder.path().string());
+      clear();
+      clip.use();
+      if (enabled) glEnable(GL_CLIP_DISTANCE0);
+      draw();
+      glDisable(GL_CLIP_DISTANCE0);
+    });
+  };
+  EXPECT_EQ(clipping(true), "");
+  EXPECT_THAT(clipping(false),
+              HasSubstr("frame doctor: a vertex shader writes gl_ClipDistance, but "
+                        "GL_CLIP_DISTANCE0 is not enabled while it draws: a graphics card cuts off "
+                        "nothing. glEnable(GL_CLIP_DISTANCE0) (framework_doctor_test.cpp:"));
+}
+
+TEST_P(Doctor, AClipDistanceInACommentIsNone) {
+  EXPECT_EQ(frame([&](gg::Window&) {
+              const gg::Program red = triangle();
+              folder.write("said.vert", "#version 410 core\n"
+                                        "// TODO: gl_ClipDistance[0] is the distance\n"
+                                        "/* gl_ClipDistance[0] = 1; */\n"
+                                        "void main() { gl_Position = vec4(2 * (gl_VertexID & 1) - "
+                                        "1, 2 * (gl_VertexID >> 1) - 1, 0, 1); }\n");
+              const gg::Program said({"said.vert", "test.frag"}, folder.path().string());
+              clear();
+              said.use();
+              draw();
+            }),
+            "");
 }
 
 TEST_P(Doctor, DepthIsNotCleared) {

@@ -49,6 +49,24 @@ TEST(CheckBegun, AChangedLineCounts) {
   EXPECT_THAT(begunIn(kStub, text), ElementsAre("mirror.1"));
 }
 
+TEST(CheckBegun, AStatementRightAboveATodoIsChangedForIt) {
+  const std::string stub = "void main() {\n"
+                           "  vec3 normal = uNormal * aNormal;\n"
+                           "  // TODO(mirror.5): negate it.\n"
+                           "  gl_Position = vec4(0);\n"
+                           "  // TODO(mirror.6): clip.\n"
+                           "}\n";
+  const auto now = [&](const std::string& from, const std::string& to) {
+    std::string text = stub;
+    return begunIn(stub, text.replace(text.find(from), from.size(), to));
+  };
+  EXPECT_THAT(now("= uNormal * aNormal", "= -(uNormal * aNormal)"), ElementsAre("mirror.5"));
+  EXPECT_THAT(now("vec4(0)", "vec4(0, 0, 0, 1)"), ElementsAre("mirror.6"));
+  // What is added there is the work of whoever's place it is.
+  EXPECT_THAT(now("vec4(0);\n", "vec4(0);\n  normal = -normal;\n"), ElementsAre("mirror.5"));
+  EXPECT_THAT(now("void main() {\n", "void main() {\n  int i = 0;\n"), IsEmpty());
+}
+
 TEST(CheckBegun, APlaceOfSeveralTodosIsNobodys) {
   EXPECT_THAT(begunIn(kStub, with("end here.", "  cull(back);")), IsEmpty());
   EXPECT_THAT(begunIn(kStub, with("#include <gg/gg.hpp>", "#include <vector>")), IsEmpty());
