@@ -33,7 +33,7 @@ struct Places {
 };
 
 Places places(const std::vector<std::string>& stub) {
-  static const std::regex kTodo(R"(TODO\(([a-z0-9_]+\.[0-9]+)\))");
+  static const std::regex kTodo(R"((?:TODO|DONE)\(([a-z0-9_]+\.[0-9]+)\))");
   Places owners;
   std::string owner;
   for (const std::string& line : stub) {

@@ -11,8 +11,9 @@
 namespace ggrade::check {
 
 /// The TODOs in whose places `text` differs from `stub`, the file as it was handed out. A place
-/// begins at a comment that names one TODO, "TODO(mirror.3)", and ends at the next one that names
-/// any; one that names several is nobody's. A statement right above a comment that begins with the
+/// begins at a comment that names one TODO, "TODO(mirror.3)" (or DONE, where it comes filled in),
+/// and ends at the next one that names any; one that names several is nobody's. A statement right
+/// above a comment that begins with the
 /// TODO is changed for its sake. White space and lines that were only taken out (a comment, once it
 /// has been read) don't count.
 std::set<std::string> begunIn(std::string_view stub, std::string_view text);

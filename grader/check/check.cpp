@@ -27,7 +27,7 @@ using gg::words;
 namespace {
 
 /// So many mistakes that show the same are named; more are no help.
-constexpr std::size_t kMostCauses = 3;
+constexpr std::size_t kMostCauses = 6;
 
 /// All that the compiler reads.
 std::string compiledText(const fs::path& folder) {
@@ -120,10 +120,7 @@ private:
     const grading::Rendering first = drawScene(program, 0);
     checked_.messages = messagesOf(first);
     facts_ = grading::factsOf(first.capture, first.capture.trace);
-    stateFaults_ = diagnosis::stateFaults(first.capture.trace);
-    const std::set<std::string> with = diagnosis::samplersWithTexture(first.capture.trace);
-    for (const std::string& sampler : expected_.samplers[step_])
-      if (!with.count(sampler)) withoutTexture_.push_back(sampler);
+    observe(first.capture.trace);
     checked_.happened = first.happened;
     if (!checked_.happened.ok()) return;
     std::vector<std::size_t> others;
@@ -136,6 +133,25 @@ private:
     });
     for (const grading::Happened& one : happened)
       if (!one.ok() && checked_.happened.ok()) checked_.happened = one;
+  }
+
+  /// What needs no picture to be told: the state that OpenGL was in, what the frame doctor found,
+  /// samplers without a texture.
+  void observe(const trace::Trace& trace) {
+    observed_ = diagnosis::stateFaults(trace);
+    const std::string doctor = say("frame doctor: {}", "");
+    const auto said = std::ranges::find_if(
+        checked_.messages, [&](const std::string& text) { return text.starts_with(doctor); });
+    // What it says after that are guesses.
+    if (said != checked_.messages.end()) observed_.push_back(said->substr(doctor.size()));
+    const std::set<std::string> with = diagnosis::samplersWithTexture(trace);
+    // What has one before this part begins may have it from another part, which may not be done.
+    for (const std::string& sampler : expected_.samplers[step_])
+      if (!with.count(sampler) && !expected_.samplers[0].count(sampler))
+        observed_.push_back(
+            say("The sampler {} reads no texture: is one bound to the texture unit that it "
+                "is set to?",
+                sampler));
   }
 
   /// Keeps what one scene shows, if it could be drawn.
@@ -171,7 +187,8 @@ private:
     Suspect suspect;
     if (first && !expected_.scenes[first->scene].another) {
       suspect.todo = likeliest(first->scene);
-      suspect.knownMistake = !suspect.todo.empty();
+      suspect.isExplained = !suspect.todo.empty() || !observed_.empty() ||
+                            checked_.happened.outcome == report::Outcome::glError;
     } else if (first) {
       suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one alone
       checked_.cause =
@@ -216,12 +233,16 @@ private:
     diagnosis::KnownFaults known;
     known.reference = {expected_.steps[step][scene]};
     std::vector<const Fault*> faults;
+    const std::vector<diagnosis::Slot> own = ownPasses(expected_, *shown_[scene], scene);
     for (std::size_t i = 0; i < expected_.faults.size(); ++i) {
       const Fault& fault = expected_.faults[i];
       if (fault.step != step || !isShownIn(expected_.scenes[scene], fault.todo)) continue;
+      const SceneViews views = viewsOf(expected_, i, scene);
+      // One that lacks a pass of its own lacks another one for another reason.
+      if (!std::ranges::all_of(own, [&](const auto& slot) { return views.find(slot); })) continue;
       faults.push_back(&fault);
       known.signatures.push_back(fault.signature);
-      known.signatures.back().run = {viewsOf(expected_, i, scene)};
+      known.signatures.back().run = {views};
     }
     for (std::size_t k = 0; k < expected_.steps.size(); ++k)
       known.signatures.push_back(
@@ -280,8 +301,8 @@ private:
     checked_.firstWrong = std::move(wrong);
   }
 
-  /// What needs no picture to be told goes before what pictures tell: how the run ended, what the
-  /// frame doctor found, what state OpenGL was in.
+  /// What needs no picture to be told goes before what pictures tell: how the run ended, what was
+  /// observed.
   void outcome() {
     if (allRight(checked_.rows) && checked_.happened.outcome == report::Outcome::graded) return;
     report::Result result;
@@ -298,27 +319,13 @@ private:
       for (const std::string& beside : observed->beside) checked_.hint += beside + '\n';
       return;
     }
-    std::vector<std::string> found = stateFaults_;
-    std::vector<std::string> warnings;
-    const std::string doctor = say("frame doctor: {}", "");
-    bool asked = false;
-    for (const std::string& message : checked_.messages) {
-      if (message.starts_with(doctor) && !asked) {
-        found.push_back(message.substr(doctor.size()));
-        asked = true; // what it says after that are guesses
-      }
-      if (message.find(": warning: ") != message.npos) warnings.push_back(message);
-    }
-    for (const std::string& sampler : withoutTexture_)
-      found.push_back(
-          say("The sampler {} reads no texture: is one bound to the texture unit that it "
-              "is set to?",
-              sampler));
+    std::vector<std::string> found = observed_;
     if (!checked_.cause.empty()) {
       found.push_back(checked_.cause);
       if (!checked_.hint.empty()) found.push_back(checked_.hint);
     }
-    found.insert(found.end(), warnings.begin(), warnings.end());
+    for (const std::string& message : checked_.messages)
+      if (message.find(": warning: ") != message.npos) found.push_back(message);
     if (!change_.empty()) found.push_back(change_);
     if (found.empty()) return;
     checked_.cause = capitalized(found.front());
@@ -350,9 +357,8 @@ private:
   std::size_t step_ = 0; // up to which the program should be right
   std::string compilerOutput_;
   diagnosis::Facts facts_;
-  std::vector<std::string> stateFaults_;
-  std::vector<std::string> withoutTexture_; // samplers of the public scene
-  std::string change_;                      // what turns the right picture into the wrong one
+  std::vector<std::string> observed_; // of the public scene, without looking at pictures
+  std::string change_;                // what turns the right picture into the wrong one
   Shown shown_;
   std::vector<Image> windows_; // by scene; empty: none came
   Checked checked_;

@@ -19,7 +19,7 @@ using report::Data;
 
 namespace {
 
-const char* const kClasses[] = {"plain", "full", "none", "unjudged", "unjudged"};
+const char* const kClasses[] = {"plain", "full", "none", "unjudged", "unjudged", "unjudged"};
 
 const Todo& todoOf(const Part& part, const std::string& id) {
   return *std::ranges::find(part.todos, id, &Todo::id);
@@ -33,6 +33,15 @@ bool hasWrong(const Checked& checked) {
   return std::ranges::find(checked.rows, State::wrong, &Row::state) != checked.rows.end();
 }
 
+/// The TODOs right before one that were taken for done as nothing of them is seen.
+std::string unseenBefore(const Checked& checked, const Row& row) {
+  std::string names;
+  for (auto k = std::size_t(&row - checked.rows.data()); k > 0 && !checked.rows[k - 1].seen; --k)
+    if (checked.rows[k - 1].state == State::done)
+      names = checked.rows[k - 1].todo + (names.empty() ? "" : ", " + names);
+  return names;
+}
+
 std::string noteOf(const Checked& checked, const Row& row) {
   // What is seen of a later TODO stands on this one.
   const bool last = std::ranges::none_of(checked.rows, [&](const Row& later) {
@@ -42,6 +51,11 @@ std::string noteOf(const Checked& checked, const Row& row) {
     return say("as far as this scene shows: nothing of it can be seen yet");
   if (row.state == State::nearly)
     return say("a little differs that no known mistake explains: a detail, or another right way");
+  if (row.state == State::differs)
+    return say("no known mistake, and the window doesn't show it yet: wrong, or another right way");
+  if (row.state == State::wrong && checked.cause.empty())
+    if (const std::string unseen = unseenBefore(checked, row); !unseen.empty())
+      return say("or {}, of which nothing could be seen before", unseen);
   if (row.state == State::waits)
     return checked.drawn ? say("begun; judged once what comes before it is right")
                          : say("begun; judged once the program draws");
@@ -187,6 +201,8 @@ std::string nameOf(State state) {
     return say("waits");
   case State::nearly:
     return say("nearly");
+  case State::differs:
+    return say("differs");
   case State::notBegun:
     break;
   }
@@ -195,7 +211,8 @@ std::string nameOf(State state) {
 
 std::string stepToRead(const Looked& looked) {
   if (!looked.checked.drawn) return {};
-  for (const State state : {State::wrong, State::nearly, State::waits, State::notBegun})
+  for (const State state :
+       {State::wrong, State::nearly, State::differs, State::waits, State::notBegun})
     for (const Row& row : looked.checked.rows)
       if (row.state == state)
         for (std::size_t k = 0; k < looked.part->todos.size(); ++k)
@@ -223,14 +240,14 @@ std::string page(const std::string& title, const std::vector<Looked>& all, bool 
 }
 
 std::string table(const std::vector<Looked>& all, bool colour) {
-  static const char* const kColours[] = {"2", "32", "31;1", "33", "33"};
+  static const char* const kColours[] = {"2", "32", "31;1", "33", "33", "33"};
   std::string out;
   for (const Looked& looked : all) {
     const Checked& checked = looked.checked;
     out += fmt::format("{}: {} ({:.1f} s)\n", looked.part->id, headline(looked), checked.seconds);
     std::size_t wide = 0;
     for (const State state :
-         {State::notBegun, State::done, State::wrong, State::waits, State::nearly})
+         {State::notBegun, State::done, State::wrong, State::waits, State::nearly, State::differs})
       wide = std::max(wide, report::displayWidth(nameOf(state)));
     for (const Row& row : checked.rows) {
       const std::string note = noteOf(checked, row);
@@ -254,7 +271,7 @@ std::string table(const std::vector<Looked>& all, bool colour) {
 
 nlohmann::json toJson(const std::vector<Looked>& all) {
   nlohmann::json parts = nlohmann::json::array();
-  static const char* const kNames[] = {"not_begun", "done", "wrong", "waits", "nearly"};
+  static const char* const kNames[] = {"not_begun", "done", "wrong", "waits", "nearly", "differs"};
   for (const Looked& looked : all) {
     const Checked& checked = looked.checked;
     nlohmann::json rows = nlohmann::json::array();

@@ -125,6 +125,12 @@ public:
     return any > 0 ? both / any : 0;
   }
 
+  /// Is there such a picture, or one that may be meant for it?
+  bool isDrawn(std::size_t cell) const {
+    const std::size_t scene = cells_[cell].scene;
+    return ofProgram(cells_[cell]) || !ownPasses(expected_, *shown_[scene], scene).empty();
+  }
+
   /// The first picture that isn't as after step `should`.
   std::optional<std::size_t> firstWrong(std::size_t should) const {
     for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -151,6 +157,15 @@ bool allRight(const std::vector<Row>& rows) {
   return std::ranges::all_of(rows, [](const Row& row) {
     return row.state == State::done || row.state == State::notBegun;
   });
+}
+
+std::vector<Slot> ownPasses(const Expected& expected, const SceneViews& shown, std::size_t scene) {
+  std::vector<Slot> own;
+  for (const diagnosis::PassView& pass : shown.passes)
+    if (std::ranges::none_of(expected.steps,
+                             [&](const Run& step) { return step[scene].find(pass.slot); }))
+      own.push_back(pass.slot);
+  return own;
 }
 
 std::size_t expectedStep(const Expected& expected, const std::set<std::string>& begun) {
@@ -224,11 +239,13 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
       culprit = &row;
       most = overlap;
     }
-  if (culprit && windows.empty() && !suspect.knownMistake && judging.isNearly(should)) {
+  if (culprit && windows.empty() && !suspect.isExplained && judging.isNearly(should)) {
     allBegunAreDone();
     culprit->state = State::nearly;
   } else if (culprit) {
-    culprit->state = State::wrong;
+    const bool inWindows = std::ranges::find(windows, should) == windows.end();
+    const bool isDrawn = wrong && judging.isDrawn(*wrong);
+    culprit->state = inWindows || suspect.isExplained || !isDrawn ? State::wrong : State::differs;
     // What comes before it and isn't seen is not what is wrong.
     for (Row& row : all)
       if (&row < culprit && row.state == State::waits) row.state = State::done;

@@ -13,11 +13,13 @@ namespace ggrade::check {
 
 enum class State {
   notBegun,
-  done,  ///< as far as the scenes that were drawn can show it
-  wrong, ///< the first one that isn't right
-  waits, ///< for one before it; may be right or wrong
-  nearly ///< a little of a window differs and no known mistake explains it: a detail that isn't
-         ///< right, or another right way
+  done,   ///< as far as the scenes that were drawn can show it
+  wrong,  ///< the first one that isn't right
+  waits,  ///< for one before it; may be right or wrong
+  nearly, ///< a little of a window differs and nothing known explains it: a detail that isn't
+          ///< right, or another right way
+  differs ///< a pass differs, nothing known explains it, and all windows are as they should be:
+          ///< wrong in a way that only later steps show, or another right way
 };
 
 /// One TODO.
@@ -35,8 +37,8 @@ using Shown = std::vector<std::optional<diagnosis::SceneViews>>;
 
 /// Where a mistake may lie.
 struct Suspect {
-  std::string todo;          ///< empty: nothing is known
-  bool knownMistake = false; ///< does a known one show just this? Then little is wrong, too
+  std::string todo;         ///< empty: nothing is known
+  bool isExplained = false; ///< is it known what is wrong? Then little is wrong, too
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,
@@ -44,6 +46,11 @@ struct Suspect {
 /// \param begun TODOs whose places in the text have changed
 std::vector<Row> rows(const Expected& expected, const Shown& shown,
                       const std::set<std::string>& begun, const Suspect& suspect = {});
+
+/// Passes that a program draws in one scene and that it has after none of the steps, such as one
+/// into a texture of another size.
+std::vector<diagnosis::Slot> ownPasses(const Expected& expected, const diagnosis::SceneViews& shown,
+                                       std::size_t scene);
 
 /// How many TODOs the program after which `shown` should look has done: up to the last that is
 /// begun.

@@ -67,6 +67,12 @@ TEST(CheckBegun, AStatementRightAboveATodoIsChangedForIt) {
   EXPECT_THAT(now("void main() {\n", "void main() {\n  int i = 0;\n"), IsEmpty());
 }
 
+TEST(CheckBegun, APlaceEndsWhereOneComesFilledIn) {
+  const std::string stub =
+      "// TODO(shadow.4): ask it.\n// DONE(mirror.2): draw into it.\nbind();\n";
+  EXPECT_THAT(begunIn(stub, stub + "unbind();\n"), ElementsAre("mirror.2"));
+}
+
 TEST(CheckBegun, APlaceOfSeveralTodosIsNobodys) {
   EXPECT_THAT(begunIn(kStub, with("end here.", "  cull(back);")), IsEmpty());
   EXPECT_THAT(begunIn(kStub, with("#include <gg/gg.hpp>", "#include <vector>")), IsEmpty());

@@ -56,10 +56,10 @@ std::set<std::string> first(std::size_t count) {
   return begun;
 }
 
-/// One letter a row: d done, w wrong, t waits, n not begun, l nearly.
+/// One letter a row: d done, w wrong, t waits, n not begun, l nearly, f differs.
 std::string letters(const std::vector<Row>& rows) {
   std::string text;
-  for (const Row& row : rows) text += "ndwtl"[int(row.state)];
+  for (const Row& row : rows) text += "ndwtlf"[int(row.state)];
   return text;
 }
 
@@ -98,6 +98,21 @@ TEST(CheckRows, ALittleThatNothingExplainsIsNotCalledWrong) {
   EXPECT_EQ(states(changed(0.1f), first(5), {"m.5", true}), "ddddw")
       << "a known mistake shows this";
   EXPECT_EQ(states(changed(0.1f), first(5), {"m.3"}), "ddldd") << "a guess at where";
+}
+
+TEST(CheckRows, APassThatDiffersIsNotCalledWrongWhileAllWindowsAreRight) {
+  // The fourth TODO's texture, which the window doesn't show as the floor doesn't sample it yet.
+  Expected all = expected();
+  all.steps[4][0].windows = all.steps[3][0].windows;
+  const SceneViews other = seen(painted(kTexture, 0.2f, 0.3f, 0.7f, 0.7f, 0.8f), kSampled);
+  EXPECT_EQ(letters(rows(all, {other}, first(4))), "dddfn");
+  EXPECT_EQ(letters(rows(all, {other}, first(4), {"m.4", true})), "dddwn") << "it is known why";
+  SceneViews none = other;
+  none.passes.clear();
+  EXPECT_EQ(letters(rows(all, {none}, first(4))), "dddwn") << "there is no such pass";
+  SceneViews small = other;
+  small.passes[0].slot.octave = 1;
+  EXPECT_EQ(letters(rows(all, {small}, first(4))), "dddfn") << "a pass of another size";
 }
 
 TEST(CheckRows, WhatIsSeenIsDoneWhereverItWasWritten) {
