@@ -184,10 +184,6 @@ inline void upPasses(const Bloom& bloom, int filter) {
 //           to unit 0; draw with drawScreen().
 //   Expect: the same scene, in brighter tones: composite.frag encodes it for the display.
 //                                                                       (bloom.md, step 2)
-// TODO(bloom.6): before you draw, bind level 0, which now holds the sum, to unit 1, with
-// bloom.sampler
-//   on that unit (glBindSampler); afterwards no sampler (0). Add it in composite.frag.
-//   Expect: light around what glows.                                    (bloom.md, step 6)
 inline void compositePass(const Bloom& bloom, const glm::ivec2& window, bool glows, int filter) {
   bloom.composite.use();
   bloom.composite.set("uScene", 0); // texture units
@@ -195,6 +191,9 @@ inline void compositePass(const Bloom& bloom, const glm::ivec2& window, bool glo
   bloom.composite.set("uGlows", glows);
   bloom.composite.set("uSize", glm::vec2(window));
   bloom.composite.set("uFilter", filter);
+  // TODO(bloom.6): bind level 0, which now holds the sum, to unit 1, with bloom.sampler on it
+  //   (glBindSampler); after drawing, no sampler (0). Add it in composite.frag.
+  //   Expect: light around what glows.                                  (bloom.md, step 6)
   // BEGIN SOLUTION(bloom.6)
   if (glows) {
     glActiveTexture(GL_TEXTURE1);
