@@ -73,9 +73,12 @@ std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
   return lines;
 }
 
+/// Of English sentences; what begins with a name in code, such as glClear, stays.
 std::string capitalized(std::string text) {
-  const bool isName = text.starts_with("gl"); // of OpenGL
-  if (!text.empty() && !isName) text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
+  const std::string word = text.substr(0, text.find(' '));
+  const bool isWord = std::ranges::all_of(word, [](char c) { return c >= 'a' && c <= 'z'; });
+  if (isWord && !text.empty() && gg::language() == gg::Language::english)
+    text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
 }
 
@@ -213,11 +216,18 @@ private:
     }
   }
 
+  bool isWindowRight(std::size_t scene) const {
+    const auto &ours = shown_[scene]->windows, &expected = expected_.steps[step_][scene].windows;
+    return std::ranges::equal(
+        ours, expected, [](const Image& a, const Image& b) { return diagnosis::alike(&a, &b); });
+  }
+
   /// Names the known mistakes that show the same in one scene, in `cause` and `hint`: ones made
-  /// just now, else ones in the finished program. Returns their TODO; empty: none is known.
+  /// just now, else ones in the finished program (whose window may be like an unfinished one's
+  /// that is right). Returns their TODO; empty: none is known.
   std::string likeliest(std::size_t scene) {
     std::vector<const Fault*> faults = showingTheSame(scene, step_);
-    if (faults.empty() && step_ < expected_.todos.size())
+    if (faults.empty() && step_ < expected_.todos.size() && !isWindowRight(scene))
       faults = showingTheSame(scene, expected_.todos.size());
     if (faults.empty() || faults.size() > kMostCauses) return {};
     checked_.cause = words(faults[0]->title);

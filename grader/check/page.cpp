@@ -51,11 +51,18 @@ std::string noteOf(const Checked& checked, const Row& row) {
     return say("as far as this scene shows: nothing of it can be seen yet");
   if (row.state == State::nearly)
     return say("a little differs that no known mistake explains: a detail, or another right way");
-  if (row.state == State::differs)
-    return say("no known mistake, and the window doesn't show it yet: wrong, or another right way");
-  if (row.state == State::wrong && checked.cause.empty())
-    if (const std::string unseen = unseenBefore(checked, row); !unseen.empty())
-      return say("or {}, of which nothing could be seen before", unseen);
+  if (row.state == State::wrong || row.state == State::differs) {
+    const std::string doubt =
+        row.state == State::wrong
+            ? std::string()
+            : say("no known mistake, and the window doesn't show it yet: wrong, or another right "
+                  "way");
+    const std::string names = checked.cause.empty() ? unseenBefore(checked, row) : std::string();
+    if (names.empty()) return doubt;
+    const std::string unseen =
+        say("it may lie in {}, too, of which nothing could be seen before", names);
+    return doubt.empty() ? unseen : say("{}; {}", doubt, unseen);
+  }
   if (row.state == State::waits)
     return checked.drawn ? say("begun; judged once what comes before it is right")
                          : say("begun; judged once the program draws");
@@ -88,11 +95,16 @@ std::string headline(const Looked& looked) {
   return say("{} of {} done", done(looked.checked), looked.checked.rows.size());
 }
 
+/// From here, unless it lies elsewhere.
+std::string shown(const fs::path& file) {
+  const fs::path near = fs::absolute(file).lexically_relative(fs::current_path());
+  return (near.empty() || *near.begin() == ".." ? file : near).string();
+}
+
 /// Empty for the public scene.
 std::string sceneOf(const Looked& looked, std::size_t scene) {
   const auto& [name, values, times, todo, another] = looked.expected->scenes[scene];
-  if (another)
-    return say("in another scene: {}", sceneFile(looked.expected->folder, scene).string());
+  if (another) return say("in another scene: {}", shown(sceneFile(looked.expected->folder, scene)));
   if (todo.empty()) return {};
   const auto& todos = looked.part->todos;
   return say("in the scene of the handout's step {}",

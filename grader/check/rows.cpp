@@ -210,7 +210,8 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
   double most = -1;
   for (std::size_t k = 1; k < judging.steps(); ++k) {
     Row& row = all[k - 1];
-    if (row.todo == suspect.todo && row.state != State::notBegun) {
+    if (row.todo == suspect.todo && row.state != State::notBegun &&
+        (suspect.isExplained || windows.empty())) {
       culprit = &row;
       break;
     }

@@ -10,6 +10,7 @@
 #include <csignal>
 
 #include <chrono>
+#include <fstream>
 #include <thread>
 
 using namespace tool;
@@ -204,11 +205,63 @@ TEST_F(Check, NamesAKnownMistakeAtItsOwnStep) {
                 "reflection.size);\n      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
                 "reflection.size);\n      glClear(GL_DEPTH_BUFFER_BIT);");
   part = checked(clear.path());
-  // Which of two can't be told before objects are drawn.
-  EXPECT_EQ(part.at("cause"),
-            "The clear comes before the framebuffer object is bound. Or: Only the "
-            "depth of the framebuffer object is cleared");
+  // Which of them can't be told before objects are drawn.
+  EXPECT_EQ(
+      part.at("cause"),
+      "The clear comes before the framebuffer object is bound. Or: Only the "
+      "depth of the framebuffer object is cleared. Or: The mirror pass draws into the window");
   EXPECT_EQ(part.at("todos").at(1).at("state"), "wrong");
+  // The statement that stands above its TODO is all that was changed for step 5.
+  Submission culling = Submission::firstSteps(5);
+  culling.replace("floor.cpp", "      glCullFace(GL_FRONT);\n", "");
+  culling.replace("floor.cpp", "      glCullFace(GL_BACK);\n", "");
+  culling.replace("mirror.vert", "  vNormal = -vNormal;\n", "");
+  culling.replace("mirror.vert", "vNormal = uNormal * aNormal", "vNormal = -(uNormal * aNormal)");
+  part = checked(culling.path());
+  EXPECT_EQ(part.at("cause"), "Back faces are culled in the mirror pass");
+  EXPECT_EQ(part.at("todos").at(4).at("state"), "wrong");
+  EXPECT_EQ(part.at("todos").at(3).at("state"), "done");
+}
+
+/// Any size will do; the window, which doesn't show the texture yet, is right.
+TEST_F(Check, ATextureOfAnotherSizeIsNotCalledWrong) {
+  Submission submission = Submission::firstSteps(2);
+  submission.replace("floor.cpp", "scene.integer(\"quality.mirror_size\")", "300");
+  const Ended ended = Running(command(submission.path())).wait(100);
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("mirror: 1 of 7 done"), HasSubstr("  mirror.2          differs"),
+                    HasSubstr("or another right way; it may lie in mirror.1, too"),
+                    Not(HasSubstr("Likely cause"))));
+  submission.replace("floor.cpp",
+                     "reflection.size);\n      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
+                     "reflection.size);");
+  EXPECT_EQ(checked(submission.path()).at("todos").at(1).at("state"), "wrong")
+      << "there is no pass at all";
+}
+
+/// Software clips by what is written, so no picture tells.
+TEST_F(Check, TellsOfClippingThatWasNotEnabled) {
+  Submission submission = Submission::firstSteps(6);
+  submission.replace("floor.cpp", "      if (clip) glEnable(GL_CLIP_DISTANCE0);\n", "");
+  const json part = checked(submission.path());
+  EXPECT_EQ(part.at("todos").at(5).at("state"), "done");
+  EXPECT_THAT(part.at("messages").dump(), HasSubstr("glEnable(GL_CLIP_DISTANCE0)"));
+}
+
+TEST_F(Check, WhatAnotherPartBindsIsNotMissedHere) {
+  const fs::path file = folder_.path() / "mirror" / "expected.json";
+  const std::string kept = read(file);
+  Submission light = Submission::firstSteps(4);
+  light.replace("floor.cpp", "scene.light.in(mirroredView)", "scene.light.in(view)");
+  json all = json::parse(kept);
+  for (json& step : all.at("samplers")) step.push_back("uOfAnotherPart");
+  std::ofstream(file) << all;
+  EXPECT_EQ(checked(light.path()).at("cause"), "The light is not brought into the mirrored view");
+  all.at("samplers").at(0) = json::array();
+  std::ofstream(file) << all;
+  EXPECT_THAT(checked(light.path()).at("cause").get<std::string>(),
+              HasSubstr("The sampler uOfAnotherPart reads no texture"));
+  std::ofstream(file) << kept;
 }
 
 /// The handout's blur is 0.01 of the window's height.
@@ -220,10 +273,17 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
   const fs::path file = folder_.path() / "mirror" / "scene-4.json";
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("mirror: 6 of 7 done"), HasSubstr("  mirror.7          wrong"),
-                    HasSubstr("(in another scene: " + file.string() + ")"),
+                    HasSubstr("(in another scene: "),
+                    HasSubstr(file.relative_path().string() + ")"),
                     HasSubstr("Likely cause: It is right in the handed-out scenes and wrong in "
                               "another one: is a number typed in")));
   EXPECT_EQ(json::parse(read(file)).at("mirror").at("blur"), 0.03);
+  // What the scene is there for is where to look, though the whole floor is too bright.
+  Submission samples = Submission::solution();
+  samples.replace("tile.frag", "i < uBlurSamples", "i < 16");
+  const json part = checked(samples.path());
+  EXPECT_EQ(part.at("todos").at(6).at("state"), "wrong");
+  EXPECT_EQ(part.at("todos").at(2).at("state"), "done");
 }
 
 TEST_F(Check, AnErrorOfOpenGlIsNeverDone) {

@@ -171,6 +171,10 @@ TEST(CheckRows, WhatIsWrongInAnotherSceneAloneIsTheOnesThatChangesItThere) {
   wrong.windows[0] = diagnosis::reduced(painted(kClipped, 0, 0.6f, 0.35f, 1, 0.9f), 3);
   EXPECT_EQ(letters(rows(all, {right, right}, first(5))), "ddddd");
   EXPECT_EQ(letters(rows(all, {right, wrong}, first(5))), "ddwdd");
+  EXPECT_EQ(letters(rows(all, {right, wrong}, first(5), {"m.2"})), "dwddd");
+  SceneViews pass = right;
+  pass.passes[0].picture = diagnosis::reduced(kEmpty, 3);
+  EXPECT_EQ(letters(rows(all, {right, pass}, first(5), {"m.2"})), "ddddd") << "the window is right";
 }
 
 TEST(CheckRows, SomethingElseThatIsWrongIsTheLastOnes) {
