@@ -180,7 +180,9 @@ Data partOf(const Looked& looked) {
   if (checked.firstWrong) {
     wrong.push_back(
         pictureOf(say("yours: {}", checked.firstWrong->name), checked.firstWrong->ours));
-    wrong.push_back(pictureOf(say("as it should be now"), checked.firstWrong->expected));
+    wrong.push_back(pictureOf(hasWrong(checked) ? say("as it should be now")
+                                                : say("the reference's after this step"),
+                              checked.firstWrong->expected));
   }
   part["wrong"] = std::move(wrong);
   part["hasWrong"] = Data(checked.firstWrong.has_value());

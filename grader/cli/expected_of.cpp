@@ -271,14 +271,31 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   writeWords(expected, solutions, into);
 }
 
+namespace {
+
+/// All that `writeExpected` depends on.
+std::string madeOf(const Target& target, const fs::path& solutions) {
+  std::set<fs::path> files{solutions / "handout.json"};
+  for (const char* folder : {"mistakes", "variants"})
+    if (fs::exists(solutions / folder))
+      for (const fs::directory_entry& entry : fs::directory_iterator(solutions / folder))
+        files.insert(entry.path());
+  std::string all = grading::gradingKey(target, solutions, grading::drawScenes(target, solutions)) +
+                    grading::wordsKey(target.assignment, solutions);
+  for (const fs::path& file : files)
+    if (fs::is_regular_file(file))
+      all += file.filename().string() + grading::hashOf(readFile(file)) + '\n';
+  return all;
+}
+
+} // namespace
+
 void updateExpected(const Target& target, const fs::path& solutions, const fs::path& into,
                     Progress& progress) {
   report::makeFolder(into);
   for (const Part& part : target.parts) {
     const Target one{target.assignment, {part}, part.id};
-    const std::string key =
-        grading::gradingKey(one, solutions, grading::drawScenes(one, solutions)) +
-        grading::wordsKey(target.assignment, solutions);
+    const std::string key = madeOf(one, solutions);
     const fs::path note = into / part.id / "made-of";
     if (fs::exists(note) && readFile(note) == key) continue;
     std::set<std::string> blank;
