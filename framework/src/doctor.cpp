@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "print_once.hpp"
+#include "reload.hpp"
 #include "words/words.hpp"
 #include <gg/debug.hpp>
 
@@ -39,8 +40,10 @@ struct Target {
 
 struct Watch {
   bool on = false;
-  std::map<GLuint, Target> targets; // by framebuffer; 0: the window
-  std::vector<GLuint> drawnInto;    // framebuffer objects
+  bool fromStart = false;                         // from when the window was made
+  std::set<std::pair<GLuint, GLint>> uniformsSet; // program, location
+  std::map<GLuint, Target> targets;               // by framebuffer; 0: the window
+  std::vector<GLuint> drawnInto;                  // framebuffer objects
   TextureTargets textures;
   std::map<GLuint, std::string> boundAt;          // a framebuffer, last
   std::map<std::string, std::string> calledAt;    // a function, last
@@ -135,6 +138,12 @@ void onDraw() {
     const SamplerFaults faults = samplerFaults();
     for (const std::string& fault : faults.certain) find(fault + lastPlace());
     for (const std::string& fault : faults.perhaps) watch.perhaps.insert(fault + lastPlace());
+    if (watch.fromStart)
+      for (const auto& [name, location] : zeroUniforms(program))
+        if (!watch.uniformsSet.contains({program, location}))
+          find(say("uniform {0} of {1} is 0, as it was never set: set(\"{0}\", ...)", name,
+                   labelOf(program)) +
+               lastPlace());
   }
 }
 
@@ -174,6 +183,11 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
   } else if (function == "glBindFramebuffer") {
     va_arg(arguments, GLenum);
     watch.boundAt[va_arg(arguments, GLuint)] = lastPlace();
+  } else if (function.starts_with("glUniform") && function != "glUniformBlockBinding") {
+    watch.uniformsSet.insert({GLuint(ask(GL_CURRENT_PROGRAM)), va_arg(arguments, GLint)});
+  } else if (function.starts_with("glProgramUniform")) {
+    const GLuint program = va_arg(arguments, GLuint);
+    watch.uniformsSet.insert({program, va_arg(arguments, GLint)});
   } else if (function == "glCullFace") {
     watch.calledAt[name] = lastPlace();
   }
@@ -206,9 +220,10 @@ void checkViewports(const glm::ivec2& window) {
 
 } // namespace
 
-void watchFrame() {
+void watchFrame(bool fromStart) {
   if (!isOn()) return gladUninstallGLDebug();
   watch.on = true;
+  watch.fromStart = fromStart;
   gladSetGLPreCallback(before);
   gladSetGLPostCallback(after);
   gladInstallGLDebug();

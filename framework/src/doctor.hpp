@@ -12,9 +12,9 @@
 
 namespace gg::detail {
 
-/// Watches every call from now on until frameEnds(): before the first frame also those by which the
-/// program makes its objects. Does nothing if GG_DOCTOR=0 is in the environment.
-void watchFrame();
+/// Watches every call from now on until frameEnds(): before the first frame (`fromStart`) also
+/// those by which the program makes its objects. Does nothing if GG_DOCTOR=0 is in the environment.
+void watchFrame(bool fromStart);
 
 /// If the frame was watched, prints on stderr what is wrong at its end, each message once, and ends
 /// the watch. To be called before the buffers are swapped.

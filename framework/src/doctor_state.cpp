@@ -219,6 +219,27 @@ std::optional<bool> writesClipDistance(GLuint program) {
   return false;
 }
 
+std::map<std::string, GLint> zeroUniforms(GLuint program) {
+  std::map<std::string, GLint> zero;
+  GLint count = 0;
+  if (program != 0) glad_glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+  for (GLint i = 0; i < count; ++i) {
+    char name[256];
+    GLint size = 0;
+    GLenum type = 0;
+    glad_glGetActiveUniform(program, GLuint(i), sizeof(name), nullptr, &size, &type, name);
+    const bool isFloat = type == GL_FLOAT || (type >= GL_FLOAT_VEC2 && type <= GL_FLOAT_VEC4) ||
+                         (type >= GL_FLOAT_MAT2 && type <= GL_FLOAT_MAT4);
+    const GLint location = glad_glGetUniformLocation(program, name);
+    if (!isFloat || location < 0) continue; // of a block, or a switch that may be off
+    GLfloat values[16] = {};
+    glad_glGetUniformfv(program, location, values);
+    if (std::all_of(std::begin(values), std::end(values), [](float v) { return v == 0; }))
+      zero.emplace(name, location);
+  }
+  return zero;
+}
+
 Image windowPicture(const glm::ivec2& window) {
   if (ask(GL_PIXEL_PACK_BUFFER_BINDING) != 0) return {};
   const GLint framebuffer = ask(GL_READ_FRAMEBUFFER_BINDING);

@@ -44,6 +44,9 @@ struct SamplerFaults {
 };
 SamplerFaults samplerFaults();
 
+/// The float, vector and matrix uniforms of a program that are all 0, with their locations.
+std::map<std::string, GLint> zeroUniforms(GLuint program);
+
 /// The window's back buffer. Empty if a buffer object is bound that would take it instead.
 Image windowPicture(const glm::ivec2& window);
 

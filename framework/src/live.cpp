@@ -13,7 +13,7 @@
 namespace gg::detail {
 
 Live::Live(GLFWwindow* window, std::string title) : window_(window), title_(std::move(title)) {
-  watchFrame();
+  watchFrame(true);
 }
 
 void Live::keyPressed(int key) {
@@ -21,7 +21,7 @@ void Live::keyPressed(int key) {
   switch (key) {
   case GLFW_KEY_T:
     tiles_ = !tiles_;
-    if (tiles_) watchFrame();
+    if (tiles_) watchFrame(false);
     break;
   case GLFW_KEY_SPACE:
     stoppedAt_ = stoppedAt_ ? std::nullopt : std::optional(glfwGetTime());
@@ -52,7 +52,7 @@ void Live::frameEnds(const glm::ivec2& size) {
   const Reloaded reloaded = reloadPrograms();
   showErrors(reloaded.errors, size);
   if (save_) save(size);
-  if (reloaded.any || tiles_) watchFrame();
+  if (reloaded.any || tiles_) watchFrame(false);
 }
 
 void Live::frameBegins() {

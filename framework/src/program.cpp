@@ -74,7 +74,7 @@ Program::Program(std::initializer_list<const char*> files, const std::string& fo
   state_->files.assign(files.begin(), files.end());
   state_->folder = folder.empty() ? shaderFolder() : fromUtf8(folder);
   detail::build(*state_);
-  detail::watch(state_);
+  detail::lookAfter(state_);
 }
 
 Program::~Program() = default;

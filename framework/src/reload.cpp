@@ -57,8 +57,15 @@ bool isTime() {
 
 } // namespace
 
-void watch(const std::shared_ptr<ProgramState>& state) {
+void lookAfter(const std::shared_ptr<ProgramState>& state) {
   live.push_back({state, {}});
+}
+
+std::string labelOf(GLuint program) {
+  for (const Live& one : live)
+    if (const auto state = one.state.lock(); state && static_cast<GLuint>(state->name) == program)
+      return state->label();
+  return say("program {}", program);
 }
 
 Reloaded reloadPrograms() {

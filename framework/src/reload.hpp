@@ -10,7 +10,10 @@
 namespace gg::detail {
 
 /// From now on reloadPrograms() looks after this program, as long as it lives.
-void watch(const std::shared_ptr<ProgramState>& state);
+void lookAfter(const std::shared_ptr<ProgramState>& state);
+
+/// What a program that is looked after is called, "tile.vert + tile.frag"; of others their number.
+std::string labelOf(GLuint program);
 
 /// What became of saved files.
 struct Reloaded {

@@ -265,6 +265,37 @@ TEST_P(Doctor, AClipDistanceInACommentIsNone) {
             "");
 }
 
+TEST_P(Doctor, AUniformIsNeverSet) {
+  EXPECT_THAT(
+      frame([&](gg::Window&) {
+        const gg::Program both = triangle("vec4(uColor * uScale, uOn ? 1 : 0, 0, 1)",
+                                          "uniform float uColor, uScale; uniform bool uOn;");
+        both.set("uColor", 1.0f);
+        clear();
+        both.use();
+        draw();
+      }),
+      AllOf(HasSubstr(
+                "frame doctor: uniform uScale of test.vert + test.frag is 0, as it was never set: "
+                "set(\"uScale\", ...) (framework_doctor_test.cpp:"),
+            ResultOf(lines, 1)));
+}
+
+TEST_P(Doctor, AUniformThatIsSetToNothingIsMeantSo) {
+  EXPECT_EQ(frame([&](gg::Window&) {
+              const gg::Program program =
+                  triangle("vec4(1 - uDark, uGreen, uTable[1], 1)",
+                           "uniform float uDark, uGreen = 0.5; uniform float uTable[2];");
+              clear();
+              program.use();
+              program.set("uDark", 0.0f);
+              const float table[] = {0, 1};
+              glUniform1fv(glGetUniformLocation(program, "uTable"), 2, table);
+              draw();
+            }),
+            "");
+}
+
 TEST_P(Doctor, DepthIsNotCleared) {
   EXPECT_THAT(frame([&](gg::Window&) {
                 const gg::Program red = triangle();
