@@ -6,6 +6,7 @@
 #include "diagnosis/state.hpp"
 #include "grading/overlay.hpp"
 #include "grading/parallel.hpp"
+#include "grading/toolchain.hpp"
 #include "image/png.hpp"
 #include "report/text.hpp"
 #include "report/write_file.hpp"
@@ -39,8 +40,14 @@ std::string compiledText(const fs::path& folder) {
   return text;
 }
 
-/// Puts the student's files where they are built, and builds them unless the program is of this
-/// very text.
+/// Was the program built of this very text, with the framework as it is?
+bool isBuilt(const fs::path& program, const fs::path& note, const std::string& text) {
+  const fs::path framework = fs::path(toolchain::kKitFolder) / "lib" / ".stamp";
+  return fs::exists(program) && fs::exists(note) && readFile(note) == text &&
+         fs::last_write_time(note) > fs::last_write_time(framework);
+}
+
+/// Puts the student's files where they are built, and builds them unless that was done.
 grading::Happened build(const Assignment& assignment, const fs::path& folder,
                         const fs::path& program) {
   const fs::path note = program / ".compiled";
@@ -50,8 +57,7 @@ grading::Happened build(const Assignment& assignment, const fs::path& folder,
   const std::string text = compiledText(program);
   grading::Happened happened;
   happened.outcome = report::Outcome::graded;
-  if (fs::exists(program / assignment.id) && fs::exists(note) && readFile(note) == text)
-    return happened;
+  if (isBuilt(program / assignment.id, note, text)) return happened;
   fs::remove(note);
   happened = grading::buildProgram(assignment.id, program, sandbox::Isolation::none);
   if (happened.ok()) report::writeFile(note, text);
