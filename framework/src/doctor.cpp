@@ -238,7 +238,7 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
              bound, watch.boundAt[bound]));
   checkViewports(window);
   if (glad_glIsEnabled(GL_CULL_FACE) == GL_TRUE && ask(GL_CULL_FACE_MODE) != GL_BACK)
-    find(say("culling is left at {}: what faces the eye is not drawn in the next frame. "
+    find(say("culling is left at {}: what faces the eye is not drawn from here on. "
              "glCullFace(GL_BACK)",
              ask(GL_CULL_FACE_MODE) == GL_FRONT ? "GL_FRONT" : "GL_FRONT_AND_BACK") +
          watch.calledAt["glCullFace"]);

@@ -206,7 +206,7 @@ TEST_P(Doctor, CullingIsLeftAtFront) {
         glCullFace(GL_FRONT);
       }),
       HasSubstr("frame doctor: culling is left at GL_FRONT: what faces the eye is not drawn "
-                "in the next frame. glCullFace(GL_BACK) (framework_doctor_test.cpp:"));
+                "from here on. glCullFace(GL_BACK) (framework_doctor_test.cpp:"));
 }
 
 TEST_P(Doctor, ClippingIsEnabledForAShaderThatWritesNoDistance) {
