@@ -123,7 +123,7 @@ std::string readFile(const fs::path& path) {
   std::string text(error ? 0 : size, '\0');
   std::ifstream in(path, std::ios::binary);
   if (error || !in.read(text.data(), std::streamsize(text.size())))
-    throw UsageError(fmt::format("can't read {}", path.string()));
+    throw UsageError(gg::say("can't read {}", path.string()));
   return text;
 }
 
@@ -222,8 +222,8 @@ Target findTarget(const fs::path& folder, const std::string& id) {
       known += ", " + part.id;
     }
   }
-  throw UsageError(fmt::format("there is no assignment or part \"{}\"; there are: {}", id,
-                               known.empty() ? "none in " + folder.string() : known));
+  if (known.empty()) throw UsageError(gg::say("{} holds no assignment", folder.string()));
+  throw UsageError(gg::say("there is no assignment or part \"{}\"; there are: {}", id, known));
 }
 
 } // namespace ggrade

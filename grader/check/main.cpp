@@ -2,13 +2,12 @@
 
 #include "check/begun.hpp"
 #include "check/page.hpp"
+#include "cli/help.hpp"
 #include "grading/overlay.hpp"
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
 #include "report/write_file.hpp"
 #include "words/words.hpp"
-
-#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -160,10 +159,8 @@ int run(int argc, char** argv) {
           "cause."),
       "ggrade check");
   Options options;
-  app.option_defaults()->group(say("Options"));
-  app.get_formatter()->label("Usage", say("Usage"));
-  app.get_formatter()->label("Positionals", say("Arguments"));
-  app.set_help_flag("-h,--help", say("Print this and exit"));
+  cli::sayHelp(app);
+  cli::sayErrors(app);
   app.add_option("ID", options.id,
                  say("Assignment or part (default: what was begun of the assignment whose files "
                      "were saved last)"));

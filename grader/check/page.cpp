@@ -240,7 +240,7 @@ std::string stepToRead(const Looked& looked) {
 std::string page(const std::string& title, const std::vector<Looked>& all, bool watched) {
   Data data;
   data["title"] = report::line(title);
-  data["lang"] = Data(std::string(gg::name(gg::language())));
+  report::addLanguage(data);
   data["watched"] = Data(watched);
   data["watchWords"] = report::line(words("This page follows every save."));
   data["footer"] = report::line(words(

@@ -4,11 +4,12 @@
 #include "image/files.hpp"
 #include "image/ssim.hpp"
 #include "image/statistics.hpp"
+#include "words/words.hpp"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <exception>
 #include <optional>
 #include <ostream>
@@ -20,6 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
+using gg::say;
 
 // Everything that was found; without `comparable` only `verdict` and `reason` count.
 struct Findings {
@@ -69,8 +71,9 @@ CompareExit verdict(const CompareArguments& a, const ErrorStatistics& s, std::si
 }
 
 std::string describe(const FileImage& file) {
-  return file.image.sizeText() + " with " + std::to_string(file.image.channels()) +
-         (file.image.channels() == 1 ? " channel" : " channels");
+  const int channels = file.image.channels();
+  return channels == 1 ? say("{} with 1 channel", file.image.sizeText())
+                       : say("{} with {} channels", file.image.sizeText(), channels);
 }
 
 // Why the two cannot be compared; sets verdict and reason. True if they can.
@@ -80,16 +83,16 @@ bool comparable(const CompareArguments& a, const FileImage& image, const FileIma
   if (!sameSize(image.image, reference.image) ||
       image.image.channels() != reference.image.channels()) {
     found.verdict = CompareExit::different;
-    found.reason = named(a.image) + " is " + describe(image) + ", " + named(a.reference) + " is " +
-                   describe(reference) + "; both must have the same size and channels";
+    found.reason = say("{} is {}, {} is {}; both must have the same size and channels",
+                       named(a.image), describe(image), named(a.reference), describe(reference));
     return false;
   }
   for (const auto& [file, path] :
        {std::pair(&image, &a.image), std::pair(&reference, &a.reference)})
     if (const auto bad = findNonFinite(file->image)) {
       found.verdict = CompareExit::failure;
-      found.reason = named(*path) + ": " + bad->text(file->image.channels()) +
-                     "; such pixels compare with nothing, so no numbers are given";
+      found.reason = say("{}: {}; such pixels compare with nothing, so no numbers are given",
+                         named(*path), bad->text(file->image.channels()));
       return false;
     }
   return true;
@@ -98,9 +101,9 @@ bool comparable(const CompareArguments& a, const FileImage& image, const FileIma
 void addFlip(const CompareArguments& a, const FileImage& image, const FileImage& reference,
              Findings& found) {
   if (image.floats != reference.floats)
-    throw std::runtime_error("--flip: one file holds linear floats, the other display values; save "
-                             "both alike");
-  if (found.channels == 2) throw std::runtime_error("--flip: two channels are no colour");
+    throw std::runtime_error(
+        say("--flip: one file holds linear floats, the other display values; save both alike"));
+  if (found.channels == 2) throw std::runtime_error(say("--flip: two channels are no colour"));
   if (!image.floats) {
     found.flip = ldrFlip(image.image, reference.image, a.pixelsPerDegree);
     return;
@@ -121,8 +124,8 @@ Findings compareFiles(const CompareArguments& a, const FileImage& image,
   CompareOptions options = a.tolerant;
   if (options.channels == 0) options.channels = std::min(3, found.channels);
   if (options.channels > found.channels)
-    throw std::runtime_error("--channels " + std::to_string(options.channels) +
-                             ": the images have " + std::to_string(found.channels));
+    throw std::runtime_error(
+        say("--channels {}: the images have {}", options.channels, found.channels));
   found.judgedChannels = options.channels;
   found.tolerant = compare(image.image, reference.image, options);
   if (!found.tolerant.compared()) found.reason = found.tolerant.message;
@@ -151,48 +154,41 @@ bool sameFile(const fs::path& a, const fs::path& b) {
 }
 
 std::string pixelText(std::span<const float> values) {
-  std::string text;
-  char number[32];
-  for (const float value : values) {
-    std::snprintf(number, sizeof number, "%s%.8g", text.empty() ? "" : ", ", double(value));
-    text += number;
-  }
-  return text;
+  return fmt::format("{:.8g}", fmt::join(values, ", "));
 }
 
 void printNumbers(std::ostream& out, const CompareArguments& a, const Findings& found,
                   const Image& image, const Image& reference) {
-  const auto line = [&](const char* format, auto... values) {
-    char text[512];
-    std::snprintf(text, sizeof text, format, values...);
-    out << text << '\n';
+  const auto line = [&](int indent, const std::string& text) {
+    out << std::string(std::size_t(indent), ' ') << text << '\n';
   };
   const auto& s = found.statistics;
-  line("  Mean error = %g", s.meanError);
-  line("  RMS error = %g", s.rmsError);
-  line("  Peak SNR = %g", s.psnr);
+  line(2, say("Mean error = {:g}", s.meanError));
+  line(2, say("RMS error = {:g}", s.rmsError));
+  line(2, say("Peak SNR = {:g}", s.psnr));
   if (s.maxError == 0)
-    line("  Max error  = 0");
+    line(2, say("Max error  = 0"));
   else
-    line("  Max error  = %g @ (%d, %d, %c)  values are %s vs %s", s.maxError, s.maxX, s.maxY,
-         channelName(s.maxChannel, found.channels), pixelText(image.pixel(s.maxX, s.maxY)).c_str(),
-         pixelText(reference.pixel(s.maxX, s.maxY)).c_str());
+    line(2, say("Max error  = {:g} @ ({}, {}, {})  values are {} vs {}", s.maxError, s.maxX, s.maxY,
+                channelName(s.maxChannel, found.channels), pixelText(image.pixel(s.maxX, s.maxY)),
+                pixelText(reference.pixel(s.maxX, s.maxY))));
   const auto over = [&](std::size_t pixels, double limit) {
-    line("  %zu pixels (%.3g%%) over %g", pixels, 100 * double(pixels) / double(found.pixels),
-         limit);
+    line(2, say("{} pixels ({:.3g}%) over {:g}", pixels,
+                100 * double(pixels) / double(found.pixels), limit));
   };
-  over(s.warnPixels, double(warnLimit(a)));
   over(s.failPixels, double(a.fail));
-  line("  As grades compare (tolerance %.4g, radius %d, %d of %d channels):",
-       double(a.tolerant.tolerance), a.tolerant.radius, found.judgedChannels, found.channels);
-  out << "    " << found.tolerant.message << '\n';
-  line("    mean difference %+.4g, SSIM %.5f", found.tolerant.meanDifference, found.structural);
+  if (warnLimit(a) != a.fail) over(s.warnPixels, double(warnLimit(a)));
+  line(2, say("As grades compare (tolerance {:.4g}, radius {}, {} of {} channels):",
+              a.tolerant.tolerance, a.tolerant.radius, found.judgedChannels, found.channels));
+  line(4, found.tolerant.message);
+  line(4, say("mean difference {:+.4g}, SSIM {:.5f}", found.tolerant.meanDifference,
+              found.structural));
   if (!found.flip) return;
-  line("  FLIP %.6f (%s, %.4g pixels per degree)", found.flip->mean,
-       found.exposures ? "HDR" : "LDR", a.pixelsPerDegree);
+  line(2, say("FLIP {:.6f} ({}, {:.4g} pixels per degree)", found.flip->mean,
+              found.exposures ? "HDR" : "LDR", a.pixelsPerDegree));
   if (found.exposures)
-    line("    the largest of %d exposures from %+.4g to %+.4g stops", found.exposures->count,
-         found.exposures->start, found.exposures->stop);
+    line(4, say("the largest of {} exposures from {:+.4g} to {:+.4g} stops", found.exposures->count,
+                found.exposures->start, found.exposures->stop));
 }
 
 Json jsonOf(const CompareArguments& a, const Findings& found) {
@@ -247,7 +243,7 @@ void report(const CompareArguments& a, const Findings& found, const FileImage& i
     return;
   }
   if (!a.quiet) {
-    out << "Comparing \"" << a.image.string() << "\" and \"" << a.reference.string() << "\"\n";
+    out << say("Comparing \"{}\" and \"{}\"", a.image.string(), a.reference.string()) << '\n';
     if (found.comparable) printNumbers(out, a, found, image.image, reference.image);
   }
   if (!found.reason.empty()) out << found.reason << '\n';
@@ -259,22 +255,23 @@ void report(const CompareArguments& a, const Findings& found, const FileImage& i
 CompareExit runCompare(const CompareArguments& a, std::ostream& out, std::ostream& errors) try {
   const FileImage image = readImageFile(a.image), reference = readImageFile(a.reference);
   if (!a.quiet && sameFile(a.image, a.reference))
-    errors << "ggrade compare: note: both names are the same file\n";
+    errors << "ggrade compare: " << say("note: both names are the same file") << '\n';
   for (const auto& [file, path] :
        {std::pair(&image, &a.image), std::pair(&reference, &a.reference)})
     if (!a.quiet && file->parts > 1)
-      errors << "ggrade compare: note: '" << path->string()
-             << "' holds several images; only the first is compared\n";
+      errors << "ggrade compare: "
+             << say("note: '{}' holds several images; only the first is compared", path->string())
+             << '\n';
   if (!a.out.empty() && (sameFile(a.out, a.image) || sameFile(a.out, a.reference)))
-    throw std::runtime_error("'" + a.out.string() +
-                             "' is one of the images; give --out another name");
+    throw std::runtime_error(
+        say("'{}' is one of the images; give --out another name", a.out.string()));
 
   const Findings found = compareFiles(a, image, reference);
   if (!a.out.empty() && found.comparable)
     writeImageFile(a.out, found.flip ? heatPicture(found.flip->map)
                                      : differenceImage(a, image.image, reference.image));
   report(a, found, image, reference, out);
-  if (!out.flush()) throw std::runtime_error("cannot write to standard output");
+  if (!out.flush()) throw std::runtime_error(say("cannot write to standard output"));
   return found.verdict;
 } catch (const std::exception& error) {
   errors << "ggrade compare: " << error.what() << '\n';

@@ -2,6 +2,7 @@
 
 #include "assignment/assignment.hpp"
 #include "cli/commands.hpp"
+#include "cli/help.hpp"
 #include "cli/rendering.hpp"
 #include "report/write_file.hpp"
 
@@ -10,6 +11,7 @@
 namespace ggrade::cli {
 
 namespace fs = std::filesystem;
+using gg::say;
 
 namespace {
 
@@ -72,7 +74,7 @@ report::InspectedFrame frameOf(const Options& options, grading::Rendering render
   if (!options.folder.empty())
     frame.name += ", " + options.folder;
   else if (options.solution)
-    frame.name += ", the reference";
+    frame.name += say(", the reference");
   frame.trace = std::move(capture.trace);
   frame.shadersTimed = !takeTimes(frame.trace);
   frame.time = options.time;
@@ -98,9 +100,9 @@ void inspect(const Options& options) {
   checkTimes({options.time}, "--time");
   const fs::path out = options.out.empty() ? "out/inspect-" + options.id + ".html" : options.out;
   if (fs::is_directory(out))
-    throw UsageError(fmt::format("{} is a folder: --out names the page's file", out.string()));
+    throw UsageError(say("{} is a folder: --out names the page's file", out.string()));
   if (options.solution && !options.folder.empty())
-    throw UsageError("name either a folder or --solution");
+    throw UsageError(say("name either a folder or --solution"));
 
   Progress progress("inspect");
   grading::Rendering rendering = rendered(options, progress);
@@ -108,7 +110,7 @@ void inspect(const Options& options) {
   const report::InspectedFrame frame = frameOf(options, std::move(rendering));
   const bool anything = !frame.trace.passes.empty();
   if (anything || happened.ok()) {
-    progress("writing the page", 0, 1);
+    progress(say("writing the page"), 0, 1);
     report::makeFolder(fs::absolute(out).parent_path());
     report::writeFile(out, report::inspectPage(frame));
   }
@@ -123,26 +125,29 @@ void inspect(const Options& options) {
 } // namespace
 
 void addInspect(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("inspect", "Shows a frame pass by pass: a page with pictures and state");
+  auto* command = app.add_subcommand(
+      "inspect", say("Shows a frame pass by pass: a page with pictures and state"));
+  sayHelp(*command);
   auto options = std::make_shared<Options>();
-  command->add_option("ID", options->id, "Assignment or part (see ggrade list)")->required();
-  command->add_option("DIR", options->folder,
-                      "A folder of files instead of the assignment's own; runs in the sandbox");
-  command->add_option("--out", options->out, "The page's file (default out/inspect-ID.html)");
-  command->add_option("--scene", options->scene, "Another scene than the assignment's scene.json");
-  command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
-  command->add_option("--time", options->time, "Seconds on the program's clock")
+  command->add_option("ID", options->id, say("Assignment or part (see ggrade list)"))->required();
+  command->add_option(
+      "DIR", options->folder,
+      say("A folder of files instead of the assignment's own; runs in the sandbox"));
+  command->add_option("--out", options->out, say("The page's file (default out/inspect-ID.html)"));
+  command->add_option("--scene", options->scene,
+                      say("Another scene than the assignment's scene.json"));
+  command->add_option("--size", options->size, say("WIDTHxHEIGHT in pixels"));
+  command->add_option("--time", options->time, say("Seconds on the program's clock"))
       ->capture_default_str();
   command->add_flag("--solution", options->solution,
-                    "The reference instead of the assignment's own files");
-  command->add_flag("--steps", options->steps, "Pictures after every step of a pass too");
-  command->footer("The page needs nothing else: open it in a browser.\n"
-                  "Exit codes: 0 the frame came, 1 not, 2 usage, 3 no sandbox.\n\n"
-                  "Examples:\n"
-                  "  ggrade inspect mirror\n"
-                  "  ggrade inspect shadow uploads/ada --out out/ada.html\n"
-                  "  ggrade inspect floor --solution --steps");
+                    say("The reference instead of the assignment's own files"));
+  command->add_flag("--steps", options->steps, say("Pictures after every step of a pass too"));
+  command->footer(say("The page needs nothing else: open it in a browser.\n"
+                      "Exit codes: 0 the frame came, 1 not, 2 usage, 3 no sandbox.\n\n"
+                      "Examples:\n"
+                      "  ggrade inspect mirror\n"
+                      "  ggrade inspect shadow uploads/ada --out out/ada.html\n"
+                      "  ggrade inspect floor --solution --steps"));
   command->callback([options] { inspect(*options); });
 }
 

@@ -1,6 +1,7 @@
 #include "cli/commands.hpp"
 
 #include "assignment/assignment.hpp"
+#include "cli/help.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -8,6 +9,8 @@
 #include <iostream>
 
 namespace ggrade::cli {
+
+using gg::say;
 
 namespace {
 
@@ -42,28 +45,33 @@ void list(bool asJson) {
     fmt::print("{}  {}\n", assignment["id"].get<std::string>(),
                assignment["title"].get<std::string>());
     for (const auto& part : assignment["parts"]) {
-      const std::string worth = fmt::format(
-          "{} points + {} bonus, {} TODO{}", part["points"].get<double>(),
-          part["bonus"].get<double>(), part["todos"].get<int>(), part["todos"] == 1 ? "" : "s");
+      const int todos = part["todos"].get<int>();
+      const std::string worth =
+          say("{} points + {} bonus, {}", part["points"].get<double>(), part["bonus"].get<double>(),
+              todos == 1 ? say("1 TODO") : say("{} TODOs", todos));
       if (part["id"] == assignment["id"]) // its name and title stand above
         fmt::print("  {}\n", worth);
       else
         fmt::print("  {:<14} {}  {}\n", part["id"].get<std::string>(), worth,
                    part["title"].get<std::string>());
     }
-    fmt::print("  edit: {}\n  may add: {}\n",
-               fmt::join(assignment["files"].get<std::vector<std::string>>(), " "),
-               fmt::join(assignment["files_optional"].get<std::vector<std::string>>(), " "));
+    const auto joined = [&](const char* names) {
+      return fmt::format("{}", fmt::join(assignment[names].get<std::vector<std::string>>(), " "));
+    };
+    fmt::print("  {}\n  {}\n", say("edit: {}", joined("files")),
+               say("may add: {}", joined("files_optional")));
   }
 }
 
 } // namespace
 
 void addList(CLI::App& app) {
-  auto* command = app.add_subcommand("list", "The assignments, their points and editable files");
+  auto* command =
+      app.add_subcommand("list", say("The assignments, their points and editable files"));
+  sayHelp(*command);
   auto asJson = std::make_shared<bool>(false);
-  command->add_flag("--json", *asJson, "Print JSON");
-  command->footer("Example:\n  ggrade list");
+  command->add_flag("--json", *asJson, say("Print JSON on stdout"));
+  command->footer(say("Example:\n  ggrade list"));
   command->callback([asJson] { list(*asJson); });
 }
 

@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/help.hpp"
 
 #include "assignment/assignment.hpp"
 #include "grading/program.hpp"
@@ -38,10 +39,11 @@ void takeLanguage(std::vector<char*>& words) {
       ++word;
       continue;
     }
-    if (!joined && std::next(word) == dashes()) throw UsageError("--lang needs a value: en or ja");
+    if (!joined && std::next(word) == dashes())
+      throw UsageError(gg::say("--lang needs a value: en or ja"));
     const std::string_view named = joined ? text.substr(7) : std::string_view(*std::next(word));
     const auto language = gg::parseLanguage(named);
-    if (!language) throw UsageError(fmt::format("--lang {}: there are en and ja", named));
+    if (!language) throw UsageError(gg::say("--lang {}: there are en and ja", named));
     gg::setLanguage(*language);
     setenv("GG_LANG", std::string(named).c_str(), 1);
     word = words.erase(word, std::next(word, joined ? 1 : 2));
@@ -63,7 +65,7 @@ int run(int count, char** given) {
   if (argc > 1 && std::strcmp(argv[1], "compare") == 0) {
     const std::string program = std::string(toolchain::kBuildFolder) + "/bin/ggrade-compare";
     execv(program.c_str(), argv + 1);
-    throw UsageError(fmt::format("can't start {}: {}", program, std::strerror(errno)));
+    throw UsageError(gg::say("can't start {}: {}", program, std::strerror(errno)));
   }
   CLI::App app("Teaches and grades real-time graphics: builds a submission in a sandbox, renders "
                "it and the\n"
@@ -79,6 +81,7 @@ int run(int count, char** given) {
       "Every command: --lang en|ja, what students read (default: by GG_LANG, else LANG).");
   app.set_version_flag("--version", std::string("ggrade ") + toolchain::kVersion);
   app.require_subcommand(1);
+  sayErrors(app);
   addList(app);
   addRender(app);
   addInspect(app);
@@ -101,7 +104,7 @@ int run(int count, char** given) {
   if (dashes != end) afterDashes.assign(dashes + 1, end);
   const std::string command = argc > 1 ? argv[1] : "";
   if (!afterDashes.empty() && command != "grade" && command != "render" && command != "judge")
-    throw UsageError(fmt::format("{} takes nothing after --: run with --help", command));
+    throw UsageError(gg::say("{} takes nothing after --: run with --help", command));
   try {
     app.parse(int(dashes - argv), argv);
   } catch (const CLI::ParseError& error) {
@@ -119,8 +122,7 @@ fs::path assignmentsFolder() {
 fs::path solutionFolder(const std::string& assignment) {
   const fs::path folder = fs::path(toolchain::kSourceFolder) / "solutions" / assignment;
   if (!fs::is_directory(folder))
-    throw UsageError(
-        fmt::format("{} is not there: this command needs the solutions", folder.string()));
+    throw UsageError(gg::say("{} is not there: this command needs the solutions", folder.string()));
   return folder;
 }
 
@@ -128,8 +130,10 @@ std::vector<std::string> requireSandbox() {
   sandbox::SelfTest test = sandbox::selfTest();
   if (test.problem)
     throw NoSandbox(
-        "no sandbox: " + *test.problem +
-        "\nSubmissions are not run without one, unless you trust them all and say --sandbox none.");
+        gg::say("no sandbox: {}\n"
+                "Submissions are not run without one, unless you trust them all and say --sandbox "
+                "none.",
+                *test.problem));
   return std::move(test.refused);
 }
 
@@ -167,8 +171,7 @@ fs::path outputFolder(const std::string& named) {
   std::error_code error;
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   if (!fs::is_directory(there, error))
-    throw UsageError(
-        fmt::format("{} is not a folder: name another one with --out", there.string()));
+    throw UsageError(gg::say("{} is not a folder: name another one with --out", there.string()));
   grading::TemporaryFolder probe(there);
   return folder;
 }
@@ -181,7 +184,7 @@ int main(int argc, char** argv) {
   try {
     return cli::run(argc, argv);
   } catch (const grading::Interrupted&) {
-    std::fputs("\nggrade: stopped; nothing half-written was left behind\n", stderr);
+    fmt::print(stderr, "\n{}\n", gg::say("ggrade: stopped; nothing half-written was left behind"));
     return cli::kInterrupted;
   } catch (const cli::NoSandbox& error) {
     fmt::print(stderr, "ggrade: {}\n", error.what());

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 
+#include "cli/help.hpp"
 #include "cli/pass_files.hpp"
 #include "cli/rendering.hpp"
 #include "cli/terminal.hpp"
@@ -19,6 +20,7 @@
 namespace ggrade::cli {
 
 namespace fs = std::filesystem;
+using gg::say;
 using nlohmann::json;
 
 namespace {
@@ -53,7 +55,7 @@ std::string findProgram(const std::string& name) {
   std::istringstream folders(searched);
   for (std::string folder; std::getline(folders, folder, ':');)
     if (const fs::path path = fs::absolute(fs::path(folder) / name); runs(path)) return path;
-  throw UsageError(fmt::format("there is no program {}: name one that can be run", name));
+  throw UsageError(say("there is no program {}: name one that can be run", name));
 }
 
 json trace(const grading::Rendering& rendering, const std::vector<trace::CopyFiles>& files) {
@@ -102,14 +104,16 @@ json trace(const grading::Rendering& rendering, const std::vector<trace::CopyFil
 
 /// What there was no room for, in words; empty if nothing is missing.
 std::string lostText(const trace::Trace& trace) {
-  const std::pair<const char*, std::uint32_t> tables[] = {{"passes", trace.passesLost},
-                                                          {"steps", trace.stepsLost},
-                                                          {"matrices", trace.matricesLost},
-                                                          {"sampled textures", trace.samplesLost},
-                                                          {"pictures", trace.copiesLost}};
+  const std::pair<std::string_view, std::uint32_t> tables[] = {
+      {gg::tag("passes"), trace.passesLost},
+      {gg::tag("steps"), trace.stepsLost},
+      {gg::tag("matrix uniforms"), trace.matricesLost},
+      {gg::tag("uses of textures"), trace.samplesLost},
+      {gg::tag("pictures"), trace.copiesLost}};
   std::string text;
   for (const auto& [what, count] : tables)
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, what);
+    if (count > 0)
+      text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", gg::words(what), count);
   return text;
 }
 
@@ -118,8 +122,8 @@ void render(const Options& options) {
   checkTimes(options.times, "--times");
   Progress progress("render");
   if (afterDashes.empty() == options.target.empty())
-    throw UsageError("name either an assignment or folder, or a program after --; see ggrade "
-                     "render --help");
+    throw UsageError(say("name either an assignment or folder, or a program after --; see ggrade "
+                         "render --help"));
   const Size size = parseSize(options.size);
   if (!afterDashes.empty()) afterDashes[0] = findProgram(afterDashes[0]);
   const grading::Rendering rendering =
@@ -143,16 +147,18 @@ void render(const Options& options) {
     std::cout << trace.dump(2) << '\n';
   } else {
     const report::Outcome outcome = rendering.happened.outcome;
-    fmt::print("{}{} {} in {}\n",
+    fmt::print("{}{}\n",
                outcome == report::Outcome::graded ? "" : fmt::format("{}: ", report::name(outcome)),
-               frames.size(), frames.size() == 1 ? "frame" : "frames", out.string());
+               frames.size() == 1 ? say("1 frame in {}", out.string())
+                                  : say("{} frames in {}", frames.size(), out.string()));
     if (options.passes)
-      fmt::print("{} passes, {} pictures of them\n", passes.passes.size(), passes.copies.size());
+      fmt::print("{}\n",
+                 say("{} passes, {} pictures of them", passes.passes.size(), passes.copies.size()));
     if (const std::string lost = lostText(passes); !lost.empty())
-      fmt::print("not recorded, for lack of room: {}\n", lost);
+      fmt::print("{}\n", say("not recorded, for lack of room: {}", lost));
     for (const channel::CapturedMessage& message : rendering.capture.messages)
       if (message.kind != channel::MessageKind::capture)
-        fmt::print("  frame {}: {}\n", message.frame, message.text);
+        fmt::print("  {}\n", say("frame {}: {}", message.frame, message.text));
   }
   if (rendering.happened.outcome != report::Outcome::graded) {
     std::fflush(stdout);
@@ -164,40 +170,46 @@ void render(const Options& options) {
 } // namespace
 
 void addRender(CLI::App& app) {
-  auto* command = app.add_subcommand("render", "Renders frames offscreen: images and trace.json");
+  auto* command =
+      app.add_subcommand("render", say("Renders frames offscreen: images and trace.json"));
+  sayHelp(*command);
   auto options = std::make_shared<Options>();
-  command->add_option("TARGET", options->target,
-                      "An assignment or part (its files in assignments/), or a folder of files");
-  command->add_option("--out", options->out, "Where frame-N.png and trace.json go")->required();
-  command->add_option("--scene", options->scene, "Another scene than the assignment's scene.json");
-  command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
-  command->add_option("--times", options->times, "Seconds, separated by commas")
+  command->add_option(
+      "TARGET", options->target,
+      say("An assignment or part (its files in assignments/), or a folder of files"));
+  command->add_option("--out", options->out, say("Where frame-N.png and trace.json go"))
+      ->required();
+  command->add_option("--scene", options->scene,
+                      say("Another scene than the assignment's scene.json"));
+  command->add_option("--size", options->size, say("WIDTHxHEIGHT in pixels"));
+  command->add_option("--times", options->times, say("Seconds, separated by commas"))
       ->delimiter(',')
       ->capture_default_str();
   command->add_flag("--solution", options->solution,
-                    "The reference instead of the assignment's own files");
+                    say("The reference instead of the assignment's own files"));
   auto* passes =
       command->add_flag("--passes", options->passes,
-                        "Every pass too: in trace.json (see docs/trace.md), and a picture of what "
-                        "it left in each attachment, frame-N/pass-PP-color0.png");
-  command->add_flag("--steps", options->steps, "A picture after every step of a pass too")
+                        say("Every pass too: in trace.json, and a picture of what it left in each "
+                            "attachment, frame-N/pass-PP-color0.png"));
+  command->add_flag("--steps", options->steps, say("A picture after every step of a pass too"))
       ->needs(passes);
   command
       ->add_flag("--pass-times", options->passTimes,
-                 "Measure every pass; the whole then takes longer")
+                 say("Measure every pass; the whole then takes longer"))
       ->needs(passes);
   command
-      ->add_flag("--raw", options->raw,
-                 "The values of each picture too, as 4-byte floats: frame-N/pass-PP-color0.f32")
+      ->add_flag(
+          "--raw", options->raw,
+          say("The values of each picture too, as 4-byte floats: frame-N/pass-PP-color0.f32"))
       ->needs(passes);
-  command->add_flag("--json", options->json, "Print trace.json on stdout");
-  command->footer("After -- stands any GLFW program with its arguments, run as it is.\n"
-                  "Exit codes: 0 all frames came, 1 not, 2 usage, 3 no sandbox.\n\n"
-                  "Examples:\n"
-                  "  ggrade render mirror --solution --out out/mirror\n"
-                  "  ggrade render floor --solution --passes --out out/floor\n"
-                  "  ggrade render uploads/ada --times 0,0.5,1 --out out/ada\n"
-                  "  ggrade render --out out/homework --size 640x480 -- ./homework --fast");
+  command->add_flag("--json", options->json, say("Print trace.json on stdout"));
+  command->footer(say("After -- stands any GLFW program with its arguments, run as it is.\n"
+                      "Exit codes: 0 all frames came, 1 not, 2 usage, 3 no sandbox.\n\n"
+                      "Examples:\n"
+                      "  ggrade render mirror --out out/mirror\n"
+                      "  ggrade render floor --passes --out out/floor\n"
+                      "  ggrade render uploads/ada --times 0,0.5,1 --out out/ada\n"
+                      "  ggrade render --out out/homework --size 640x480 -- ./homework --fast"));
   command->callback([options] { render(*options); });
 }
 

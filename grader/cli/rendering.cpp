@@ -5,8 +5,7 @@
 #include "grading/overlay.hpp"
 #include "grading/references.hpp"
 #include "grading/workspace.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -14,6 +13,7 @@
 namespace ggrade::cli {
 
 namespace fs = std::filesystem;
+using gg::say;
 using nlohmann::json;
 using sandbox::Isolation;
 
@@ -26,10 +26,9 @@ Target targetOf(const std::string& named) {
   for (Assignment& assignment : loadAssignments(assignmentsFolder()))
     if (fs::exists(folder / (assignment.id + ".cpp")))
       return findTarget(assignmentsFolder(), assignment.id);
-  throw UsageError(
-      fmt::format("{} holds no assignment's program; an assignment is rendered from ID.cpp "
-                  "(see ggrade list)",
-                  named));
+  throw UsageError(say("{} holds no assignment's program; an assignment is rendered from ID.cpp "
+                       "(see ggrade list)",
+                       named));
 }
 
 } // namespace
@@ -41,18 +40,18 @@ Size parseSize(const std::string& text) {
   char rest = 0;
   if (std::sscanf(text.c_str(), "%llux%llu%c", &width, &height, &rest) != 2 || width < 1 ||
       height < 1 || width > channel::kMaxSide || height > channel::kMaxSide)
-    throw UsageError(fmt::format("--size {}: must be WIDTHxHEIGHT, such as 640x480, each 1 to {}",
-                                 text, channel::kMaxSide));
+    throw UsageError(say("--size {}: must be WIDTHxHEIGHT, such as 640x480, each 1 to {}", text,
+                         channel::kMaxSide));
   return {std::uint32_t(width), std::uint32_t(height)};
 }
 
 void checkTimes(const std::vector<double>& times, const std::string& option) {
   for (double time : times)
     if (!std::isfinite(time) || time < 0)
-      throw UsageError(fmt::format("{} {}: a time is a number of seconds from 0", option, time));
+      throw UsageError(say("{} {}: a time is a number of seconds from 0", option, time));
   if (times.size() > channel::kMaxFrames)
-    throw UsageError(fmt::format("{}: {} frames are more than {}: render them in parts", option,
-                                 times.size(), channel::kMaxFrames));
+    throw UsageError(say("{}: {} frames are more than {}: render them in parts", option,
+                         times.size(), channel::kMaxFrames));
 }
 
 grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {
@@ -62,7 +61,7 @@ grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {
   const fs::path folder = what.folder.empty() ? what.target : what.folder;
   const bool upload = fs::is_directory(folder);
   if (!what.folder.empty() && !upload)
-    throw UsageError(fmt::format("{} is not a folder of files", what.folder));
+    throw UsageError(say("{} is not a folder of files", what.folder));
   const fs::path sources = upload          ? folder
                            : what.solution ? solutionFolder(id)
                                            : target.assignment.folder;
@@ -79,10 +78,10 @@ grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {
   grading::TemporaryFolder work;
   const fs::path program = work.makeVisible("program");
   grading::overlay(target.assignment, sources, program);
-  progress("building", 0, 2);
+  progress(say("building"), 0, 2);
   const grading::Happened built = grading::buildProgram(id, program, isolation);
   if (!built.ok()) return {built, {}};
-  progress("rendering", 1, 2);
+  progress(say("rendering"), 1, 2);
   return grading::renderScene(id, program, scene, what.times, {}, isolation, what.trace);
 }
 

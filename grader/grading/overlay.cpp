@@ -81,9 +81,10 @@ std::vector<std::string> ownFiles(const Assignment& assignment, const fs::path& 
 
 Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::path& into) {
   if (!fs::is_directory(upload))
-    throw UsageError(fmt::format("{}: {}. Name the folder that holds {}", upload.string(),
-                                 fs::exists(upload) ? "is not a folder" : "there is no such folder",
-                                 fmt::join(assignment.files, ", ")));
+    throw UsageError(
+        say("{}: {}. Name the folder that holds {}", upload.string(),
+            fs::exists(upload) ? say("is not a folder") : say("there is no such folder"),
+            fmt::format("{}", fmt::join(assignment.files, ", "))));
   Overlay result;
   for (const std::string& name : assignment.dataFiles())
     writeFile(into / name, readFile(assignment.folder / name));

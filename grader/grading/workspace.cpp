@@ -1,8 +1,7 @@
 #include "grading/workspace.hpp"
 
 #include "assignment/assignment.hpp"
-
-#include <fmt/format.h>
+#include "words/words.hpp"
 
 #include <csignal>
 #include <cstdio>
@@ -45,17 +44,16 @@ std::set<std::string> namesIn(const fs::path& folder) {
 } // namespace
 
 void refuseForeign(const fs::path& folder, const std::string& name) {
-  throw UsageError(fmt::format("{} holds {}, which is no earlier result of this tool: name another "
-                               "folder with --out, or move it away",
-                               folder.string(), name));
+  throw UsageError(gg::say("{} holds {}, which is no earlier result of this tool: name another "
+                           "folder with --out, or move it away",
+                           folder.string(), name));
 }
 
 void requireReplaceable(const fs::path& folder) {
   std::error_code none;
   if (!fs::exists(folder, none)) return;
   if (!fs::is_directory(folder, none))
-    throw UsageError(
-        fmt::format("{} is not a folder: name another one with --out", folder.string()));
+    throw UsageError(gg::say("{} is not a folder: name another one with --out", folder.string()));
   std::set<std::string> ours = {kContents};
   std::ifstream in(folder / kContents);
   for (std::string name; std::getline(in, name);) ours.insert(name);
@@ -69,8 +67,8 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent, const char* remedy) {
   fs::create_directories(base, error);
   std::string name = (base / (std::string(kTemporaryMark) + "XXXXXX")).string();
   if (!mkdtemp(name.data()))
-    throw UsageError(
-        fmt::format("can't write to {}: {}. {}", base.string(), std::strerror(errno), remedy));
+    throw UsageError(gg::say("can't write to {}: {}. {}", base.string(), std::strerror(errno),
+                             gg::words(remedy)));
   path_ = name;
 }
 

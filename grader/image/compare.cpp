@@ -1,10 +1,10 @@
 #include "image/compare.hpp"
 
 #include "image/neighbourhood.hpp"
+#include "words/words.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <numeric>
 #include <stdexcept>
@@ -39,32 +39,34 @@ Comparison refused(ComparisonStatus status, std::string message) {
 // Why the images cannot be compared; empty if they can.
 std::optional<Comparison> obstacle(const Image& student, const Image& reference, int channels,
                                    const CompareOptions& options) {
-  if (student.empty()) return refused(ComparisonStatus::nothingToCompare, "there is no image");
+  if (student.empty())
+    return refused(ComparisonStatus::nothingToCompare, gg::say("there is no image"));
   if (reference.empty())
-    return refused(ComparisonStatus::nothingToCompare, "there is no reference image");
+    return refused(ComparisonStatus::nothingToCompare, gg::say("there is no reference image"));
   if (!sameSize(student, reference))
-    return refused(ComparisonStatus::sizesDiffer, "the image is " + student.sizeText() +
-                                                      ", the reference " + reference.sizeText());
+    return refused(
+        ComparisonStatus::sizesDiffer,
+        gg::say("the image is {}, the reference {}", student.sizeText(), reference.sizeText()));
   const bool enough = student.channels() >= channels && reference.channels() >= channels;
   if (!enough || (options.channels == 0 && student.channels() != reference.channels()))
     return refused(ComparisonStatus::channelsDiffer,
-                   "the image has " + std::to_string(student.channels()) +
-                       " channels, the reference " + std::to_string(reference.channels()) + "; " +
-                       std::to_string(channels) + " are compared");
+                   gg::say("the image has {} channels, the reference {}; {} are compared",
+                           student.channels(), reference.channels(), channels));
   if (const auto bad = findNonFinite(student, channels)) {
-    auto result =
-        refused(ComparisonStatus::studentNotFinite, "the image: " + bad->text(student.channels()));
+    auto result = refused(ComparisonStatus::studentNotFinite,
+                          gg::say("the image: {}", bad->text(student.channels())));
     result.nonFinite = bad;
     return result;
   }
   if (const auto bad = findNonFinite(reference, channels)) {
     auto result = refused(ComparisonStatus::referenceNotFinite,
-                          "the reference: " + bad->text(reference.channels()));
+                          gg::say("the reference: {}", bad->text(reference.channels())));
     result.nonFinite = bad;
     return result;
   }
   if (options.mask && options.mask->count() == 0)
-    return refused(ComparisonStatus::nothingToCompare, "no pixel lies in the region to judge");
+    return refused(ComparisonStatus::nothingToCompare,
+                   gg::say("no pixel lies in the region to judge"));
   return std::nullopt;
 }
 
@@ -94,23 +96,18 @@ PixelDifference pixelDifference(const Image& student, const Image& reference, in
 }
 
 std::string summary(const Comparison& result, int channels) {
-  char text[256];
-  int used = std::snprintf(text, sizeof text, "%.3g%% of %zu pixels differ",
-                           100 * result.wrongShare, result.judgedPixels);
-  if (result.wrongPixels > 0)
-    used += std::snprintf(text + used, sizeof text - std::size_t(used),
-                          ", densest at (%d,%d): %.0f%% of %dx%d", result.densest.middleX,
-                          result.densest.middleY, 100 * result.densest.share, result.densest.width,
-                          result.densest.height);
-  if (result.worst && result.wrongPixels > 0) {
-    const auto& worst = *result.worst;
-    const auto channel = std::size_t(worst.channel);
-    std::snprintf(text + used, sizeof text - std::size_t(used),
-                  ", worst at (%d,%d): %c is %.4g, expected %.4g", worst.x, worst.y,
-                  channelName(worst.channel, channels), double(worst.student[channel]),
-                  double(worst.reference[channel]));
-  }
-  return text;
+  std::string text =
+      gg::say("{:.3g}% of {} pixels differ", 100 * result.wrongShare, result.judgedPixels);
+  if (result.wrongPixels == 0) return text;
+  text += gg::say(", densest at ({},{}): {:.0f}% of {}x{}", result.densest.middleX,
+                  result.densest.middleY, 100 * result.densest.share, result.densest.width,
+                  result.densest.height);
+  if (!result.worst) return text;
+  const auto& worst = *result.worst;
+  const auto channel = std::size_t(worst.channel);
+  return text + gg::say(", worst at ({},{}): {} is {:.4g}, expected {:.4g}", worst.x, worst.y,
+                        channelName(worst.channel, channels), worst.student[channel],
+                        worst.reference[channel]);
 }
 
 // Judges the pixels of one row and adds what it finds to `result`, whose means are sums meanwhile.

@@ -2,6 +2,7 @@
 
 #include "image/png.hpp"
 #include "image/temporary_file.hpp"
+#include "words/words.hpp"
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
@@ -23,11 +24,11 @@ namespace ggrade {
 namespace {
 
 [[noreturn]] void cannotRead(const fs::path& path, const std::string& cause) {
-  throw std::runtime_error("cannot read '" + path.string() + "': " + cause);
+  throw std::runtime_error(gg::say("cannot read '{}': {}", path.string(), cause));
 }
 
 [[noreturn]] void cannotWrite(const fs::path& path, const std::string& cause) {
-  throw std::runtime_error("cannot write '" + path.string() + "': " + cause);
+  throw std::runtime_error(gg::say("cannot write '{}': {}", path.string(), cause));
 }
 
 // What OpenImageIO says may have several lines, of which the last ones repeat the first.
@@ -41,14 +42,15 @@ void checkReadable(const fs::path& path) {
   const auto status = fs::status(path, error);
   if (!fs::exists(status)) {
     if (status.type() == fs::file_type::not_found)
-      cannotRead(path, "there is no such file; check the name");
+      cannotRead(path, gg::say("there is no such file; check the name"));
     cannotRead(path, error.message());
   }
-  if (fs::is_directory(status)) cannotRead(path, "it is a folder; name an image file in it");
-  if (!fs::is_regular_file(status)) cannotRead(path, "it is not a regular file");
+  if (fs::is_directory(status))
+    cannotRead(path, gg::say("it is a folder; name an image file in it"));
+  if (!fs::is_regular_file(status)) cannotRead(path, gg::say("it is not a regular file"));
   if (access(path.c_str(), R_OK) != 0) cannotRead(path, std::strerror(errno));
   if (fs::file_size(path, error) == 0)
-    cannotRead(path, "the file is empty (0 bytes); write it again");
+    cannotRead(path, gg::say("the file is empty (0 bytes); write it again"));
 }
 
 bool isPng(const fs::path& path) {
@@ -104,15 +106,16 @@ FileImage readImageFile(const fs::path& path) {
   wishes["oiio:UnassociatedAlpha"] =
       1; // else colour under alpha 0 would be lost, and with it errors there
   const auto input = OIIO::ImageInput::open(path.string(), &wishes);
-  if (!input) cannotRead(path, firstLine(OIIO::geterror()) + "; is it an image, and complete?");
+  if (!input)
+    cannotRead(path, gg::say("{}; is it an image, and complete?", firstLine(OIIO::geterror())));
   const OIIO::ImageSpec spec = input->spec();
   checkSpec(path, spec);
 
   std::vector<float> stored(std::size_t(spec.width) * std::size_t(spec.height) *
                             std::size_t(spec.nchannels));
   if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, stored.data()))
-    cannotRead(path,
-               firstLine(input->geterror()) + "; the file is damaged or cut short, write it again");
+    cannotRead(path, gg::say("{}; the file is damaged or cut short, write it again",
+                             firstLine(input->geterror())));
   FileImage result;
   result.image = displayed(stored, spec);
   result.floats = spec.format.is_floating_point();
@@ -130,8 +133,8 @@ void writeImageFile(const fs::path& path, const Image& image) {
   const auto output = OIIO::ImageOutput::create(file.path().string());
   if (!output)
     cannotWrite(path, extension.empty()
-                          ? "the name needs an extension such as .png or .exr"
-                          : "no image format is called '" + extension + "'; use .png or .exr");
+                          ? gg::say("the name needs an extension such as .png or .exr")
+                          : gg::say("no image format is called '{}'; use .png or .exr", extension));
   OIIO::ImageSpec spec(image.width(), image.height(), image.channels(), OIIO::TypeDesc::FLOAT);
   spec["oiio:UnassociatedAlpha"] = 1;
   if (!output->open(file.path().string(), spec) ||

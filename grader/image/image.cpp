@@ -1,5 +1,7 @@
 #include "image/image.hpp"
 
+#include "words/words.hpp"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -79,9 +81,11 @@ Image firstChannels(const Image& image, int channels) {
 
 std::string NonFinite::text(int imageChannels) const {
   const char* kind = std::isnan(value) ? "NaN" : value > 0 ? "Inf" : "-Inf";
-  return std::to_string(pixels) + (pixels == 1 ? " pixel holds" : " pixels hold") +
-         " NaN or Inf, the first " + kind + " at (" + std::to_string(x) + "," + std::to_string(y) +
-         "), channel " + channelName(channel, imageChannels);
+  const char in = channelName(channel, imageChannels);
+  return pixels == 1 ? gg::say("1 pixel holds NaN or Inf, the first {} at ({},{}), channel {}",
+                               kind, x, y, in)
+                     : gg::say("{} pixels hold NaN or Inf, the first {} at ({},{}), channel {}",
+                               pixels, kind, x, y, in);
 }
 
 std::optional<NonFinite> findNonFinite(const Image& image, int channels) {

@@ -1,6 +1,7 @@
 #include "report/inspect_parts.hpp"
 
 #include "report/inspect_words.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +10,7 @@
 namespace ggrade::report {
 
 using namespace trace;
+using gg::say;
 
 namespace {
 
@@ -67,7 +69,7 @@ Data cardsOf(const FilmParts& parts) {
     card["thumbnail"] = shown == pixels.end() ? Data(false) : Data((*shown)->thumbnail);
     card["small"] =
         Data(shown != pixels.end() && (*shown)->copy->width < std::uint32_t(kCardWidth));
-    card["draws"] = Data(counted(pass.draws, "draw"));
+    card["draws"] = Data(drawCount(pass.draws));
     card["milliseconds"] =
         pass.seconds > 0 ? Data(fmt::format("{:.2f} ms", pass.seconds * 1e3)) : Data(false);
     const auto& notes = parts.notes[i];
@@ -75,12 +77,13 @@ Data cardsOf(const FilmParts& parts) {
         std::ranges::any_of(notes, [](const Note& note) { return note.kind == Note::Kind::wrong; });
     const auto count = std::size_t(std::ranges::count_if(
         notes, [](const Note& note) { return note.kind != Note::Kind::fact; }));
-    card["noteCount"] = count == 0 ? Data(false) : Data(counted(count, "note"));
+    card["noteCount"] =
+        count == 0 ? Data(false) : Data(count == 1 ? say("1 note") : say("{} notes", count));
     card["state"] = Data(std::string(wrong ? "none" : "part"));
     std::string reads;
     for (const PassRead& read : parts.graph.readsOf(index))
-      reads += (reads.empty() ? "reads " : ", ") + readWords(parts.graph, read);
-    card["reads"] = line(reads);
+      reads += (reads.empty() ? "" : ", ") + readWords(parts.graph, read);
+    card["reads"] = reads.empty() ? Data(false) : line(say("reads {}", reads));
     cards.push_back(card);
   }
   return cards;

@@ -1,6 +1,7 @@
 #include "report/inspect_notes.hpp"
 
 #include "report/inspect_words.hpp"
+#include "words/words.hpp"
 
 #include <GL/glcorearb.h>
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 namespace ggrade::report {
 
 using namespace trace;
+using gg::say;
 
 namespace {
 
@@ -46,58 +48,59 @@ void noteViewport(const PassRecord& pass, const std::int32_t (&viewport)[4], Not
   if (x == 0 && y == 0 && std::uint32_t(width) == image.width &&
       std::uint32_t(height) == image.height)
     return;
-  notes.odd(fmt::format("The viewport is {} x {} at ({}, {}), but what is drawn into is {} x {}: "
-                        "glViewport wasn't set to the size of this attachment.",
-                        width, height, x, y, image.width, image.height));
+  notes.odd(say("The viewport is {} x {} at ({}, {}), but what is drawn into is {} x {}: "
+                "glViewport wasn't set to the size of this attachment.",
+                width, height, x, y, image.width, image.height));
 }
 
 void noteState(const PassRecord& pass, const StepRecord& step, bool hasMatrices, Notes& notes) {
   const bool depth = isThere(pass.images[kDepth]);
   constexpr std::uint64_t kQuad = 6; // vertices that a full-screen pass needs at most
   if (step.depthTest && !depth && step.vertices > kQuad)
-    notes.odd("The depth test is on, but there is no depth attachment: nothing is hidden, what is "
-              "drawn last wins.");
+    notes.odd(
+        say("The depth test is on, but there is no depth attachment: nothing is hidden, what is "
+            "drawn last wins."));
   if (step.depthTest && depth && step.vertices > 0 && step.vertices <= kQuad && !hasMatrices)
-    notes.odd(fmt::format("The depth test is on while {} are drawn without any matrix, as for a "
-                          "full-screen pass: they can be hidden by what is in the depth buffer.",
-                          fmt::format("{} vertices", step.vertices)));
+    notes.odd(say("The depth test is on while {} vertices are drawn without any matrix, as for a "
+                  "full-screen pass: they can be hidden by what is in the depth buffer.",
+                  step.vertices));
   if (step.stencilTest && !isThere(pass.images[kStencil]))
-    notes.odd("The stencil test is on, but there is no stencil attachment: it always passes.");
+    notes.odd(say("The stencil test is on, but there is no stencil attachment: it always passes."));
   if (step.rasterizerDiscard)
-    notes.odd("GL_RASTERIZER_DISCARD is on: nothing reaches the framebuffer.");
+    notes.odd(say("GL_RASTERIZER_DISCARD is on: nothing reaches the framebuffer."));
   if (step.colorMask == 0 && !(step.depthTest && step.depthWrite) && !step.stencilTest)
-    notes.odd("glColorMask lets nothing through, and neither depth nor stencil is written.");
+    notes.odd(say("glColorMask lets nothing through, and neither depth nor stencil is written."));
   for (std::uint32_t i = 0; i < 8; ++i)
     if (step.clipDistances >> i & 1)
-      notes.fact(fmt::format("GL_CLIP_DISTANCE{0} is on: every vertex shader used here must write "
-                             "gl_ClipDistance[{0}].",
-                             i));
+      notes.fact(say("GL_CLIP_DISTANCE{0} is on: every vertex shader used here must write "
+                     "gl_ClipDistance[{0}].",
+                     i));
 }
 
 void noteTextures(const FrameGraph& graph, const StepRecord& step, Notes& notes) {
   for (const SampleRecord& sample : graph.trace().samplesOf(step)) {
     const std::string name = sample.uniform[0] ? fmt::format("{} ", sample.uniform) : "";
     if (!isThere(sample.image))
-      notes.fact(fmt::format("{}(unit {}): no texture is bound there. A shader that reads it gets "
-                             "black.",
-                             name, sample.unit));
+      notes.fact(say("{}(unit {}): no texture is bound there. A shader that reads it gets "
+                     "black.",
+                     name, sample.unit));
     else if (sample.incomplete && sample.image.width == 0)
-      notes.fact(fmt::format("{}(unit {}): the texture that is bound there has no image. A shader "
-                             "that reads it gets black.",
-                             name, sample.unit));
+      notes.fact(say("{}(unit {}): the texture that is bound there has no image. A shader "
+                     "that reads it gets black.",
+                     name, sample.unit));
     else if (sample.incomplete)
-      notes.odd(fmt::format("{}(unit {}): the texture is incomplete: a shader that reads it gets "
-                            "black. Mostly GL_TEXTURE_MIN_FILTER asks for mipmaps that aren't "
-                            "there.",
-                            name, sample.unit));
+      notes.odd(say("{}(unit {}): the texture is incomplete: a shader that reads it gets "
+                    "black. Mostly GL_TEXTURE_MIN_FILTER asks for mipmaps that aren't "
+                    "there.",
+                    name, sample.unit));
     if (sample.feedback)
-      notes.wrong(fmt::format("{}(unit {}): the texture is read and drawn into in the same pass (a "
-                              "feedback loop), which OpenGL leaves undefined.",
-                              name, sample.unit));
+      notes.wrong(say("{}(unit {}): the texture is read and drawn into in the same pass (a "
+                      "feedback loop), which OpenGL leaves undefined.",
+                      name, sample.unit));
     if (sample.writer != kNone && sample.writer < graph.first())
-      notes.odd(fmt::format("{}(unit {}): no pass of this frame draws this texture; it holds what "
-                            "an earlier frame left.",
-                            name, sample.unit));
+      notes.odd(say("{}(unit {}): no pass of this frame draws this texture; it holds what "
+                    "an earlier frame left.",
+                    name, sample.unit));
   }
 }
 
@@ -108,26 +111,25 @@ std::vector<Note> frameNotes(const InspectedFrame& frame) {
   const Trace& trace = frame.trace;
   if (!frame.problem.empty()) notes.wrong(frame.problem);
   if (frame.boundFramebuffer)
-    notes.wrong(fmt::format("Framebuffer {} was bound when the buffers were swapped. Only what is "
-                            "drawn with framebuffer 0 bound is seen in the window: call "
-                            "glBindFramebuffer(GL_FRAMEBUFFER, 0).",
-                            frame.boundFramebuffer));
+    notes.wrong(say("Framebuffer {} was bound when the buffers were swapped. Only what is "
+                    "drawn with framebuffer 0 bound is seen in the window: call "
+                    "glBindFramebuffer(GL_FRAMEBUFFER, 0).",
+                    frame.boundFramebuffer));
   if (frame.windowSrgb)
-    notes.odd("GL_FRAMEBUFFER_SRGB was on for the window. The window here is linear, so it has no "
-              "effect; elsewhere it may brighten the picture.");
+    notes.odd(
+        say("GL_FRAMEBUFFER_SRGB was on for the window. The window here is linear, so it has no "
+            "effect; elsewhere it may brighten the picture."));
   const auto lost = [&](std::uint32_t count, std::string_view what) {
     if (count)
-      notes.odd(fmt::format("The recorder's room was used up: {} left out of this page.",
-                            count == 1 ? fmt::format("1 {} is", what)
-                                       : fmt::format("{} {}{} are", grouped(count), what,
-                                                     what == "pass" ? "es" : "s")));
+      notes.odd(say("The recorder's room was used up. Left out of this page: {} ({})",
+                    gg::words(what), grouped(count)));
   };
-  lost(trace.passesLost, "pass");
-  lost(trace.stepsLost, "step");
-  lost(trace.matricesLost, "matrix uniform");
-  lost(trace.samplesLost, "texture use");
-  lost(trace.copiesLost, "picture");
-  lost(frame.messagesLost, "message");
+  lost(trace.passesLost, gg::tag("passes"));
+  lost(trace.stepsLost, gg::tag("steps"));
+  lost(trace.matricesLost, gg::tag("matrix uniforms"));
+  lost(trace.samplesLost, gg::tag("uses of textures"));
+  lost(trace.copiesLost, gg::tag("pictures"));
+  lost(frame.messagesLost, gg::tag("messages"));
   return notes.take();
 }
 
@@ -136,17 +138,18 @@ std::vector<Note> passNotes(const FrameGraph& graph, std::uint32_t index) {
   Notes notes;
   const bool incomplete = pass.framebuffer != kNone && pass.status != GL_FRAMEBUFFER_COMPLETE;
   if (incomplete)
-    notes.wrong(fmt::format("The framebuffer is not complete ({}), so nothing is drawn. {}",
-                            glName(pass.status), statusMeaning(pass.status)));
+    notes.wrong(say("The framebuffer is not complete ({}), so nothing is drawn. {}",
+                    glName(pass.status), statusMeaning(pass.status)));
   for (const StepRecord& step : graph.trace().stepsOf(pass)) noteTextures(graph, step, notes);
   if (!isDraw(pass) || incomplete) return notes.take();
 
   const bool drawnOver = graph.isDrawnOver(index);
   if (pass.draws == 0 && pass.cleared && !drawnOver)
-    notes.odd("It is cleared, but nothing is drawn into it.");
+    notes.odd(say("It is cleared, but nothing is drawn into it."));
   if (!drawsToWindow(pass) && !drawnOver && graph.readersOf(index).empty())
-    notes.odd("Nobody reads this pass: no later pass of this frame samples, copies or draws over "
-              "what it drew, and it isn't the window.");
+    notes.odd(
+        say("Nobody reads this pass: no later pass of this frame samples, copies or draws over "
+            "what it drew, and it isn't the window."));
   if (pass.draws) noteViewport(pass, pass.viewport, notes);
   for (const StepRecord& step : graph.trace().stepsOf(pass)) {
     noteViewport(pass, step.viewport, notes);

@@ -2,6 +2,7 @@
 
 #include "report/inspect_words.hpp"
 #include "report/templates.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 namespace ggrade::report {
 
 using namespace trace;
+using gg::say;
 
 namespace {
 
@@ -66,12 +68,12 @@ Data messages(const FilmParts& parts) {
 
 std::string roomWords(const PagePixelsOfFrame& pixels, const InspectLimits& limits) {
   if (pixels.withoutValues == 0) return "";
-  std::string text =
-      fmt::format("This page is limited to {}: {} of {} pictures are small and without values "
-                  "under the pointer",
-                  byteWords(limits.bytes), pixels.withoutValues, pixels.copies.size());
-  if (pixels.withoutPicture) text += fmt::format(", {} of them left out", pixels.withoutPicture);
-  return text + ".";
+  const std::string text =
+      say("This page is limited to {}: {} of {} pictures are small and without "
+          "values under the pointer.",
+          byteWords(limits.bytes), pixels.withoutValues, pixels.copies.size());
+  if (pixels.withoutPicture == 0) return text;
+  return text + ' ' + say("{} of them are left out.", pixels.withoutPicture);
 }
 
 /// The exact values, as elements that no browser shows or runs.
@@ -95,11 +97,11 @@ FilmParts::FilmParts(const InspectedFrame& inspected, const InspectLimits& limit
     for (const PagePixels* copy : pixelsOf(index)) {
       const std::string name = attachmentWords(graph.pass(index), copy->copy->attachment);
       if (!copy->notANumber.empty())
-        notes.back().push_back({Note::Kind::wrong, fmt::format("{}: {}.", name, copy->notANumber)});
+        notes.back().push_back({Note::Kind::wrong, say("{}: {}.", name, copy->notANumber)});
       const bool drawn = graph.pass(index).draws > 0 && copy->copy->step == kNone;
       if (copy->uniform && drawn && copy->copy->attachment < kColors)
-        notes.back().push_back({Note::Kind::odd, fmt::format("{} is the same in every pixel: {}.",
-                                                             name, copy->range)});
+        notes.back().push_back(
+            {Note::Kind::odd, say("{} is the same in every pixel: {}.", name, copy->range)});
     }
   }
 }
@@ -120,12 +122,13 @@ double FilmParts::totalSeconds() const {
 std::string inspectPage(const InspectedFrame& frame, const InspectLimits& limits) {
   const FilmParts parts(frame, limits);
   Data page(Data::type::object);
+  addLanguage(page);
   page["name"] = line(frame.name);
   page["time"] = Data(shortest(float(frame.time)));
   page["size"] =
       frame.width ? Data(fmt::format("{} x {}", frame.width, frame.height)) : Data(false);
   page["passCount"] =
-      Data(fmt::format("{} pass{}", parts.graph.count(), parts.graph.count() == 1 ? "" : "es"));
+      Data(parts.graph.count() == 1 ? say("1 pass") : say("{} passes", parts.graph.count()));
   page["hasPasses"] = Data(parts.graph.count() > 0);
   const bool measured = parts.totalSeconds() > 0;
   page["milliseconds"] =
@@ -152,7 +155,7 @@ std::string inspectPage(const InspectedFrame& frame, const InspectLimits& limits
 
   std::string html = renderPage({templates::k_inspect_mustache, templates::k_inspect_js,
                                  templates::k_inspect_js_sha256, templates::k_inspect_css},
-                                std::move(page), frame.name + ": a frame, pass by pass");
+                                std::move(page), say("{}: a frame, pass by pass", frame.name));
   // Not through the template engine, which copies its data several times.
   constexpr std::string_view kPlace = "<!-- values -->\n";
   html.replace(html.find(kPlace), kPlace.size(), valueElements(parts));

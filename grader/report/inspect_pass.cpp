@@ -2,6 +2,7 @@
 
 #include "report/inspect_words.hpp"
 #include "trace/pixels.hpp"
+#include "words/words.hpp"
 
 #include <GL/glcorearb.h>
 #include <fmt/format.h>
@@ -11,6 +12,7 @@
 namespace ggrade::report {
 
 using namespace trace;
+using gg::say;
 
 namespace {
 
@@ -41,11 +43,11 @@ Data attachmentsOf(const FrameGraph& graph, std::uint32_t index) {
     const std::uint32_t before = pass.cleared >> i & 1 ? kNone : graph.writerBefore(index, i);
     row["holds"] = before == kNone
                        ? Data(false)
-                       : passLink(graph, before, fmt::format("pass {}'s", graph.number(before)));
+                       : passLink(graph, before, say("pass {}'s", graph.number(before)));
     const bool isOff = i < kColors && !(pass.drawBuffers >> i & 1);
-    row["use"] = isOff                   ? Data(std::string("no draw buffer"))
+    row["use"] = isOff                   ? Data(say("no draw buffer"))
                  : pass.written >> i & 1 ? Data(false)
-                                         : Data(std::string("unchanged"));
+                                         : Data(say("unchanged"));
     list.push_back(row);
   }
   return list;
@@ -55,25 +57,25 @@ std::string drawBuffers(const PassRecord& pass) {
   std::string text;
   for (std::uint32_t i = 0; i < kColors; ++i)
     if (pass.drawBuffers >> i & 1) text += (text.empty() ? "" : ", ") + attachmentWords(pass, i);
-  return text.empty() ? "none" : text;
+  return text.empty() ? say("none") : text;
 }
 
 std::string scaleWords(const PagePixels& pixels) {
-  const auto limits = fmt::format("black {:.4g}, white {:.4g}", pixels.low, pixels.high);
+  const std::string limits = say("black {:.4g}, white {:.4g}", pixels.low, pixels.high);
   if (pixels.scale == "as stored") return "";
   if (pixels.scale == "divided by the greatest value")
-    return fmt::format("darkened: white is {:.4g}", pixels.high);
+    return say("darkened: white is {:.4g}", pixels.high);
   if (pixels.depth)
-    return fmt::format("distance from the eye, {} (found in {})", limits, pixels.depth->matrix);
-  if (pixels.scale == "stretched depth") return "depth, " + limits;
-  return pixels.scale;
+    return say("distance from the eye, {} (found in {})", limits, pixels.depth->matrix);
+  if (pixels.scale == "stretched depth") return say("depth, {}", limits);
+  return say("a colour a value");
 }
 
 Data pictureOf(const FilmParts& parts, const PagePixels& pixels) {
   const CopyRecord& copy = *pixels.copy;
   const PassRecord& pass = parts.graph.pass(copy.pass);
   std::string name = attachmentWords(pass, copy.attachment);
-  if (copy.step != kNone) name += fmt::format(" after step {}", copy.step - pass.firstStep + 1);
+  if (copy.step != kNone) name += say(" after step {}", copy.step - pass.firstStep + 1);
   Data data(Data::type::object);
   data["name"] = Data(name);
   data["picture"] = pixels.picture.empty() ? Data(false) : Data(pixels.picture);
@@ -139,16 +141,14 @@ Data passOf(const FilmParts& parts, std::uint32_t index) {
   data["pictures"] = std::move(pictures);
 
   data["framebuffer"] = pass.framebuffer == kNone ? Data(false)
-                        : pass.framebuffer == 0   ? Data(std::string("0 (the window)"))
+                        : pass.framebuffer == 0   ? Data(say("0 (the window)"))
                                                   : Data(std::to_string(pass.framebuffer));
   data["incomplete"] = pass.framebuffer == kNone || pass.status == GL_FRAMEBUFFER_COMPLETE
                            ? Data(false)
                            : Data(statusText(pass));
-  const auto& v = pass.viewport;
-  data["viewport"] = Data(fmt::format("{} x {} at ({}, {})", v[2], v[3], v[0], v[1]));
+  data["viewport"] = Data(rectangle(pass.viewport));
   data["drawBuffers"] = Data(drawBuffers(pass));
-  data["draws"] =
-      Data(fmt::format("{}, {} vertices", counted(pass.draws, "draw"), grouped(pass.vertices)));
+  data["draws"] = Data(say("{}, {} vertices", drawCount(pass.draws), grouped(pass.vertices)));
   data["milliseconds"] =
       pass.seconds > 0 ? Data(fmt::format("{:.2f} ms", pass.seconds * 1e3)) : Data(false);
   data["hasAttachments"] = Data(std::ranges::any_of(pass.images, isThere));
@@ -159,8 +159,8 @@ Data passOf(const FilmParts& parts, std::uint32_t index) {
     reads.push_back(passLink(graph, read.writer, readWords(graph, read)));
   for (const PassRead& read : graph.readersOf(index))
     readers.push_back(passLink(graph, read.reader,
-                               fmt::format("pass {} (its {})", graph.number(read.reader),
-                                           attachmentWords(pass, read.attachment))));
+                               say("pass {} (its {})", graph.number(read.reader),
+                                   attachmentWords(pass, read.attachment))));
   data["hasReads"] = Data(!graph.readsOf(index).empty());
   data["reads"] = std::move(reads);
   data["hasReaders"] = Data(!graph.readersOf(index).empty());

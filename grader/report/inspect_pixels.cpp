@@ -3,6 +3,7 @@
 #include "report/inspect_words.hpp"
 #include "report/picture.hpp"
 #include "trace/picture.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <zlib.h>
@@ -40,9 +41,10 @@ void describeValues(const Image& image, PagePixels& pixels) {
   if (uniform) {
     for (const float value : first)
       pixels.range += (pixels.range.empty() ? "" : ", ") + fmt::format("{:.4g}", value);
-    pixels.range = (first.size() > 1 ? "(" + pixels.range + ")" : pixels.range) + " everywhere";
+    pixels.range =
+        gg::say("{} everywhere", first.size() > 1 ? "(" + pixels.range + ")" : pixels.range);
   } else if (low <= high) {
-    pixels.range = fmt::format("{:.4g} to {:.4g}", low, high);
+    pixels.range = gg::say("{:.4g} to {:.4g}", low, high);
   }
   if (const auto bad = findNonFinite(image)) pixels.notANumber = bad->text(image.channels());
 }

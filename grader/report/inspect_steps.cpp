@@ -1,6 +1,7 @@
 #include "report/inspect_parts.hpp"
 
 #include "report/inspect_words.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@
 namespace ggrade::report {
 
 using namespace trace;
+using gg::say;
 
 namespace {
 
@@ -26,8 +28,7 @@ Data stateOf(const StepRecord& step, const StepRecord* before) {
     const bool changed = words[i].value != old[i].value;
     row["changed"] = Data(changed);
     row["was"] = changed ? Data(old[i].value) : Data(false);
-    row["quiet"] =
-        Data(!changed && (words[i].value.starts_with("off") || words[i].value == "none"));
+    row["quiet"] = Data(!changed && words[i].isOff);
     list.push_back(row);
   }
   return list;
@@ -39,8 +40,8 @@ Data textureOf(const FrameGraph& graph, const SampleRecord& sample) {
   row["unit"] = Data(std::to_string(sample.unit));
   const bool bound = sample.image.kind != std::uint32_t(ImageKind::none);
   const bool hasImage = bound && sample.image.width > 0;
-  row["texture"] = Data(bound ? imageWords(sample.image) : "nothing bound: reads black");
-  row["size"] = bound && !hasImage ? Data(std::string("no image: reads black"))
+  row["texture"] = Data(bound ? imageWords(sample.image) : say("nothing bound: reads black"));
+  row["size"] = bound && !hasImage ? Data(say("no image: reads black"))
                 : bound ? Data(sizeWords(sample.image) + " " + glName(sample.image.format))
                         : Data(false);
   row["sampler"] = hasImage && sample.magFilter ? Data(samplerWords(sample)) : Data(false);
@@ -98,10 +99,9 @@ Data stepsOf(const FilmParts& parts, std::uint32_t index) {
     const StepRecord* before = i > 0 ? &steps[i - 1] : nullptr;
     Data data(Data::type::object);
     data["step"] = Data(std::to_string(i + 1));
-    data["work"] = step.draws == 0
-                       ? Data(false)
-                       : Data(fmt::format("{} of {}, {} vertices", counted(step.draws, "draw"),
-                                          modeName(step.mode), grouped(step.vertices)));
+    data["work"] = step.draws == 0 ? Data(false)
+                                   : Data(say("{} of {}, {} vertices", drawCount(step.draws),
+                                              modeName(step.mode), grouped(step.vertices)));
     data["words"] = step.draws == 0 ? makeList() : stateOf(step, before);
     data["hasState"] = Data(step.draws > 0);
 

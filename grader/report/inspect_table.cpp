@@ -2,6 +2,7 @@
 
 #include "report/inspect_words.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -11,6 +12,7 @@
 namespace ggrade::report {
 
 using namespace trace;
+using gg::say;
 
 namespace {
 
@@ -29,7 +31,7 @@ Row rowOf(const FrameGraph& graph, std::uint32_t index) {
   for (const PassRead& read : graph.readsOf(index))
     reads += (reads.empty() ? "" : ", ") + readWords(graph, read);
   return {std::to_string(graph.number(index)),
-          into.empty() ? "nothing" : into,
+          into.empty() ? say("nothing") : into,
           size,
           formats,
           grouped(pass.draws),
@@ -41,7 +43,8 @@ Row rowOf(const FrameGraph& graph, std::uint32_t index) {
 
 std::string inspectTable(const InspectedFrame& frame) {
   const FrameGraph graph(frame.trace, frame.frame);
-  std::vector<Row> rows = {{"pass", "draws into", "size", "format", "draws", "ms", "reads"}};
+  std::vector<Row> rows = {{say("pass"), say("draws into"), say("size"), say("format"),
+                            say("draws"), "ms", say("reads")}};
   for (std::uint32_t i = 0; i < graph.count(); ++i) rows.push_back(rowOf(graph, graph.first() + i));
   std::array<std::size_t, 7> widths{};
   for (const Row& row : rows)

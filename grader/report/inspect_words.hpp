@@ -16,8 +16,10 @@ std::string shortest(float value);
 std::string byteWords(std::uint64_t bytes);
 /// "1,234".
 std::string grouped(std::uint64_t value);
-/// "1 draw", "3 draws".
-std::string counted(std::uint64_t count, std::string_view noun);
+/// "1 draw", "1,234 draws".
+std::string drawCount(std::uint64_t draws);
+/// "640 x 480 at (0, 0)".
+std::string rectangle(const std::int32_t (&box)[4]);
 
 /// "colour 0", or "colour" for the only one; "depth"; "stencil"; "picture" for trace::kNone.
 std::string attachmentWords(const trace::PassRecord& pass, std::uint32_t attachment);
@@ -36,6 +38,7 @@ std::string statusMeaning(std::uint32_t status);
 /// One line of a step's state.
 struct StateWord {
   std::string label, value;
+  bool isOff; ///< off, or none
 };
 /// Always the same labels in the same order, so that two steps can be compared line by line.
 std::vector<StateWord> stateWords(const trace::StepRecord& step);

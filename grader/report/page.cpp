@@ -3,6 +3,7 @@
 #include "report/picture.hpp"
 #include "report/templates.hpp"
 #include "report/text.hpp"
+#include "words/words.hpp"
 
 #include <stdexcept>
 #include <vector>
@@ -32,6 +33,12 @@ Data line(std::string_view text) {
 
 Data text(std::string_view text) {
   return orFalse(sanitize(text));
+}
+
+void addLanguage(Data& page) {
+  page["lang"] = Data(std::string(gg::name(gg::language())));
+  page["say"] = Data(kainjow::mustache::lambda(
+      [](const std::string& english) { return std::string(gg::words(english)); }));
 }
 
 std::string renderPage(const PageKind& kind, Data data, std::string_view title) {

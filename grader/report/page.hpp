@@ -21,6 +21,9 @@ inline Data makeList() {
 Data line(std::string_view text);
 Data text(std::string_view text);
 
+/// Lets a page that students read say its texts in the chosen language: `{{#say}}English{{/say}}`.
+void addLanguage(Data& page);
+
 /// What makes one kind of page differ from the others.
 struct PageKind {
   std::string_view body;         ///< a file of templates/

@@ -235,9 +235,7 @@ std::string page(const Result& result, const Pictures& pictures, const Audience&
   const std::string score = result.outcome == Outcome::notGradable
                                 ? say("no score")
                                 : number(result.score) + "/" + number(result.maxScore);
-  data["lang"] = Data(std::string(gg::name(gg::language())));
-  data["say"] = Data(kainjow::mustache::lambda(
-      [](const std::string& english) { return std::string(gg::words(english)); }));
+  addLanguage(data);
   return renderPage(templates::k_result_mustache, std::move(data),
                     fmt::format("{} · {} · {}", score, sanitizeLine(result.submission),
                                 sanitizeLine(result.part)));

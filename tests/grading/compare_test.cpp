@@ -101,6 +101,24 @@ TEST_F(CompareCommand, PrintsTheNumbersOfADifference) {
                     HasSubstr("mean difference -0.001333"), EndsWith("FAILURE\n")));
 }
 
+TEST_F(CompareCommand, SpeaksJapaneseWithTheSameNumbers) {
+  setenv("GG_LANG", "ja", 1);
+  const Ended result = run("grey.png dot.png"), missing = run("grey.png none.png"),
+              help = run("--help");
+  setenv("GG_LANG", "en", 1);
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(
+      result.out,
+      AllOf(HasSubstr("  平均誤差 = 0.00133333\n"), HasSubstr("  1e-06を超える画素：8個 (1%)\n"),
+            HasSubstr("  採点での比較（許容差0.01373、半径1、3成分中3成分）：\n"),
+            HasSubstr("800画素の1%が異なる、最も集中しているのは(31,10)：32x20の1%、最大の差は"
+                      "(30,10)：Gが0.4、正しくは0.8\n"),
+            EndsWith("FAILURE\n")));
+  EXPECT_THAT(missing.errors, HasSubstr("'none.png'を読めません：そのようなファイルはありません"));
+  EXPECT_THAT(help.out, AllOf(HasSubstr("使い方: ggrade compare"), HasSubstr("採点での比較"),
+                              Not(HasSubstr("Exit codes"))));
+}
+
 TEST_F(CompareCommand, FollowsTheLimitsOfIdiff) {
   const auto exitCode = [&](const std::string& limits) {
     return run("grey.png dot.png -q " + limits).exitCode;

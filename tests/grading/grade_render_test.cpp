@@ -367,6 +367,27 @@ TEST(Commands, EveryHelpHasAnExample) {
   EXPECT_THAT(runTool({"--version"}).out, ContainsRegex("^ggrade [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
 }
 
+TEST(Commands, WhatStudentsRunSpeaksJapanese) {
+  // Without the program's own output, in which there may be names.
+  const auto english = [](const Ended& ended) {
+    return ended.out.find("Print this") != ended.out.npos ||
+           ended.out.find("Examples:") != ended.out.npos ||
+           ended.errors.find("Run with") != ended.errors.npos;
+  };
+  for (const std::string command : {"list", "render", "inspect"}) {
+    const Ended help = runTool({command, "--help", "--lang", "ja"});
+    EXPECT_THAT(help.out, HasSubstr("使い方: ggrade " + command));
+    EXPECT_FALSE(english(help)) << help.out;
+    const Ended wrong = runTool({command, "--lang", "ja", "--unknown"});
+    EXPECT_EQ(wrong.exitCode, 2);
+    EXPECT_THAT(wrong.errors, HasSubstr("使い方の誤り："));
+    EXPECT_FALSE(english(wrong)) << wrong.errors;
+  }
+  const Ended unknown = runTool({"inspect", "nosuch", "--lang", "ja"});
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_THAT(unknown.errors, HasSubstr("課題またはパート「nosuch」はありません"));
+}
+
 TEST(Commands, CompareIsReachedThroughTheTool) {
   const std::string picture = kSource / "assignments/floor/handout/mirror-5.png";
   EXPECT_EQ(runTool({"compare", picture, picture}).exitCode, 0);

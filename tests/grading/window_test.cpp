@@ -141,7 +141,8 @@ TEST_F(RunCommand, UnknownIdsListWhatThereIs) {
     EXPECT_EQ(ended.exitCode, 2) << id;
     EXPECT_EQ(ended.out, "");
     EXPECT_THAT(ended.errors,
-                AllOf(HasSubstr("there is no assignment or part"), HasSubstr("floor")))
+                AllOf(HasSubstr("there is no assignment or part"),
+                      HasSubstr("there are: bloom, deferred, figure, floor, mirror, shadow, ")))
         << id;
   }
 }

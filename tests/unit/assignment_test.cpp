@@ -114,7 +114,7 @@ TEST_F(AssignmentFile, AnUnknownTargetListsWhatThereIs) {
   EXPECT_EQ(messageOf<UsageError>([&] { findTarget(files_.path(), "cbue"); }),
             "there is no assignment or part \"cbue\"; there are: cube, turn, light");
   EXPECT_THAT(messageOf<UsageError>([&] { findTarget("/nowhere", "cube"); }),
-              HasSubstr("none in /nowhere"));
+              HasSubstr("/nowhere holds no assignment"));
 }
 
 TEST_F(AssignmentFile, ThatIsNoJsonNamesTheLine) {

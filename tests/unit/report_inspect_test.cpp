@@ -1,4 +1,5 @@
 // The filmstrip of a frame: what the page and the table say of a trace made by hand.
+#include "in_japanese.hpp"
 #include "report/inspect.hpp"
 #include "report/inspect_graph.hpp"
 #include "report/inspect_notes.hpp"
@@ -10,6 +11,7 @@
 #include <zlib.h>
 
 #include <limits>
+#include <regex>
 
 namespace ggrade::report {
 namespace {
@@ -113,10 +115,11 @@ TEST(InspectWords, StateIsNamedAsOpenGlNamesIt) {
   step.colorMask = 0;
   std::string all;
   for (const StateWord& word : stateWords(step)) all += word.label + ": " + word.value + "\n";
-  EXPECT_THAT(all, AllOf(HasSubstr("depth test: LESS\n"),
-                         HasSubstr("blending: SRC_ALPHA x source + ONE x destination\n"),
-                         HasSubstr("culling: FRONT faces, front is CCW\n"),
-                         HasSubstr("clip distances: 0, 2\n"), HasSubstr("colour mask: nothing\n")));
+  EXPECT_THAT(all,
+              AllOf(HasSubstr("depth test: LESS\n"),
+                    HasSubstr("blending: SRC_ALPHA x source + ONE x destination\n"),
+                    HasSubstr("culling: FRONT faces, front is CCW\n"),
+                    HasSubstr("clip distances: 0, 2\n"), HasSubstr("colour mask: no channel\n")));
 }
 
 TEST(InspectNotes, AreOnlyWhatTheRecordsShow) {
@@ -183,8 +186,8 @@ TEST(InspectNotes, OfTheFrameNameWhatWasLeftBoundAndWhatWasLost) {
   frame.trace.copiesLost = 1;
   EXPECT_THAT(texts(frameNotes(frame)),
               testing::ElementsAre(HasSubstr("Framebuffer 2 was bound when"),
-                                   HasSubstr("5,904 passes are left out"),
-                                   HasSubstr("1 picture is left out")));
+                                   HasSubstr("Left out of this page: passes (5,904)"),
+                                   HasSubstr("Left out of this page: pictures (1)")));
 }
 
 TEST(InspectPixels, ValuesComeBackBitForBit) {
@@ -235,7 +238,7 @@ TEST(InspectPage, AnAttachmentThatIsNotClearedNamesThePassWhoseValuesItHolds) {
   InspectedFrame frame = samples::frame();
   frame.trace.passes[1].images[0] = frame.trace.passes[0].images[0];
   frame.trace.passes[1].cleared = 0;
-  EXPECT_THAT(inspectPage(frame), HasSubstr("not cleared: holds <a href=\"#pass-1\" data-to=\"1\">"
+  EXPECT_THAT(inspectPage(frame), HasSubstr("not cleared, holds <a href=\"#pass-1\" data-to=\"1\">"
                                             "pass 1&apos;s</a>"));
 }
 
@@ -270,7 +273,7 @@ TEST(InspectPage, TextOfTheProgramIsEscaped) {
   std::strcpy(frame.trace.matrices[0].name, "</table><script>alert(2)</script>");
   frame.trace.samples[0].feedback = 1;
   frame.messages = {{"<script>alert(3)</script> {{name}}", 2, 2}, {"<!-- values -->", 1, kNone}};
-  frame.name = "<script>alert(4)</script>";
+  frame.name = "<script>alert(4)</script> {{time}}";
   const std::string page = inspectPage(frame);
   EXPECT_THAT(page, Not(HasSubstr("<script>alert")));
   EXPECT_THAT(page, HasSubstr("&lt;script&gt;alert(1)"));
@@ -279,6 +282,38 @@ TEST(InspectPage, TextOfTheProgramIsEscaped) {
                               "&lt;script&gt;alert(3)&lt;/script&gt; {{name}} <span "
                               "class=\"soft\">(2 times)</span>"));
   EXPECT_THAT(page, HasSubstr("&lt;!-- values --&gt;"));
+  EXPECT_THAT(page, HasSubstr("{{time}}: a frame, pass by pass</h1>"));
+}
+
+/// English words that a reader of the page or table sees; names and OpenGL's words apart.
+std::vector<std::string> englishIn(std::string text) {
+  for (const char* unseen : {"<style>[^]*?</style>", "<script[^]*?</script>", "<[^>]*>"})
+    text = std::regex_replace(text, std::regex(unseen), " ");
+  std::vector<std::string> found;
+  const std::regex word("[A-Za-z_]*[a-z]{3,}[A-Za-z_]*");
+  for (std::sregex_iterator at(text.begin(), text.end(), word), end; at != end; ++at)
+    found.push_back(at->str());
+  return found;
+}
+
+TEST(InspectPage, IsJapaneseWhereTheReaderIs) {
+  InspectedFrame frame = samples::frame();
+  frame.trace.passes[1].status = GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT;
+  frame.boundFramebuffer = 2;
+  frame.trace.copiesLost = 1;
+  ASSERT_GT(englishIn(inspectPage(frame)).size(), 300u) << "the page was not read";
+  const InJapanese japanese;
+  const std::string page = inspectPage(frame);
+  EXPECT_THAT(page, HasSubstr("<html lang=\"ja\">"));
+  EXPECT_THAT(page,
+              HasSubstr("<b>パス1</b> テクスチャに描画, 4 x 3 RGBA16F, 深度はレンダーバッファ"));
+  EXPECT_THAT(page, HasSubstr("読み出し：パス1のカラー"));
+  EXPECT_THAT(page, HasSubstr("data-point=\"画素にポインタを合わせると、値を読めます。\""));
+  // Names that the program gave, and OpenGL's.
+  EXPECT_THAT(englishIn(page),
+              testing::Each(testing::AnyOf("homework", "uView", "uReflection", "glBindFramebuffer",
+                                           "OpenGL", "llvmpipe")));
+  EXPECT_THAT(englishIn(inspectTable(frame)), IsEmpty());
 }
 
 TEST(InspectPage, SaysWhatTheLimitLeftOut) {
@@ -294,8 +329,8 @@ TEST(InspectPage, WithoutRoomThereIsStillThePage) {
   InspectLimits limits;
   limits.bytes = 0;
   const std::string page = inspectPage(samples::frame(), limits);
-  EXPECT_THAT(page, HasSubstr("3 of 3 pictures are small and without values under the pointer, 3 "
-                              "of them left out."));
+  EXPECT_THAT(page, HasSubstr("3 of 3 pictures are small and without values under the pointer. 3 "
+                              "of them are left out."));
   EXPECT_THAT(page, Not(HasSubstr("data:image/png")));
   EXPECT_EQ(occurrences(page, "<section class=\"pass card\""), 3u);
 }

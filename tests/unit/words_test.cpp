@@ -138,6 +138,18 @@ TEST(Words, TranslationsHaveTheSameValues) {
   for (const auto& [english, text] : table()) EXPECT_EQ(values(text), values(english)) << english;
 }
 
+TEST(Words, ValuesAreNumberedInAllPlacesOrInNone) {
+  for (const auto& [english, text] : table()) {
+    int numbered = 0, all = 0;
+    for (std::size_t at = text.find('{'); at != text.npos; at = text.find('{', at + 1)) {
+      if (text.compare(at, 2, "{{") == 0) break; // a page's: values with names
+      numbered += std::isdigit(static_cast<unsigned char>(text[at + 1])) != 0;
+      ++all;
+    }
+    EXPECT_THAT(numbered, testing::AnyOf(0, all)) << text;
+  }
+}
+
 TEST(Words, TranslationsBeginAndEndAsTheirTextsDo) {
   for (const auto& [english, text] : table()) {
     ASSERT_FALSE(text.empty()) << english;

@@ -59,6 +59,7 @@
   const encodeSrgb = (v) => v <= 0.0031308 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055;
 
   function makeViewer(element) {
+    const words = element.dataset; // in the student's language
     const find = (selector) => element.querySelector(selector);
     const pane = find(".pane"), canvas = find("canvas"), context = canvas.getContext("2d", { willReadFrequently: true });
     const mark = find(".mark"), probe = find(".probe");
@@ -107,17 +108,17 @@
 
     function read() {
       mark.hidden = !at || scale < 4;
-      if (!at) { probe.value = values ? "Point at a pixel to read its values." : picture.values ? "" : "The values of this picture are not in the page."; return; }
+      if (!at) { probe.value = values ? words.point : picture.values ? "" : words.noValues; return; }
       const [x, y] = at;
       mark.style.cssText = `left:${x * scale}px;top:${y * scale}px;width:${scale}px;height:${scale}px`;
-      const place = `x ${x}, y ${y} from the top (gl_FragCoord ${x + 0.5}, ${picture.height - y - 0.5})`;
+      const place = `${words.place.replace("%1", x).replace("%2", y)} (gl_FragCoord ${x + 0.5}, ${picture.height - y - 0.5})`;
       if (!values) { probe.value = place; return; }
       const channels = kTypes[picture.type][1], i = (y * picture.width + x) * channels;
       const pixel = [...values.slice(i, i + channels)];
       const one = (v) => picture.type === "u8x4" ? `${v} (${(v / 255).toFixed(3)})` : shortest(v);
-      let text = channels === 1 ? `${isDepth() ? "depth" : "stencil"} ${one(pixel[0])}`
+      let text = channels === 1 ? `${isDepth() ? words.depth : words.stencil} ${one(pixel[0])}`
         : pixel.map((v, c) => `${"RGBA"[c]} ${one(v)}`).join("   ");
-      if (picture.linear && pixel[0] < 1) text += `   distance from the eye ${distance(pixel[0]).toPrecision(5)}`;
+      if (picture.linear && pixel[0] < 1) text += `   ${words.distance} ${distance(pixel[0]).toPrecision(5)}`;
       probe.value = `${place}\n${text}`;
     }
 
@@ -165,7 +166,7 @@
       channelBox.hidden = isDepth() || picture.type === "u8x1";
       find(".exposure").hidden = find(".encode").hidden = isDepth() || isWhole();
       find(".between").hidden = !isDepth();
-      find(".unit").textContent = picture.linear ? "from the eye" : "";
+      find(".unit").textContent = picture.linear ? words.fromEye : "";
       zoom("fit");
       if (picture.image && !picture.image.complete) await picture.image.decode().catch(() => {});
       if (mine !== picture) return;
