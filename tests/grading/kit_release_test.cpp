@@ -17,14 +17,16 @@ using testing::Not;
 
 namespace {
 
-/// The states of a part's TODOs, as ggrade-check sees the files in `folder`.
+/// The states of a part's TODOs, as ggrade-check sees the files in `folder`; `said` becomes all
+/// that it says.
 std::vector<std::string> statesOf(const std::string& part, const fs::path& expected,
-                                  const fs::path& folder) {
+                                  const fs::path& folder, std::string* said = nullptr) {
   const TemporaryFolder out;
   const Ended ended = Running({kBuild / "bin/ggrade-check", part, "--expected", expected,
                                "--folder", folder, "--out", out.path() / "a.html", "--json"})
                           .wait(100);
   EXPECT_THAT(ended.exitCode, testing::AnyOf(0, 1)) << ended.errors;
+  if (said) *said = ended.out;
   std::vector<std::string> states;
   const json all = json::parse(ended.out);
   for (const json& todo : all.at(0).at("todos")) states.push_back(todo.at("state"));
@@ -40,7 +42,10 @@ void expectEveryStepKnown(const ggrade::Part& part, const fs::path& expected) {
     ASSERT_EQ(ended.exitCode, 0) << ended.errors;
     std::vector<std::string> wanted(part.todos.size(), "not_begun");
     std::fill_n(wanted.begin(), k, "done");
-    EXPECT_EQ(statesOf(part.id, expected, step.path()), wanted) << part.id << " after step " << k;
+    std::string said;
+    EXPECT_EQ(statesOf(part.id, expected, step.path(), &said), wanted)
+        << part.id << " after step " << k << '\n'
+        << said;
   }
 }
 
