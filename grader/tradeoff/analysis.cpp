@@ -175,6 +175,8 @@ constexpr std::string_view kRises =
     gg::tag("The error does not fall with {}: {} at {}, and it has risen to {} at {}{}.");
 constexpr std::string_view kStaysBeyond =
     gg::tag("The error does not fall beyond {} {}: from {} at {} to {} there; {} at {}{}.");
+constexpr std::string_view kHardlyBeyond =
+    gg::tag("The error hardly falls beyond {} {}: from {} at {} to {} there; {} at {}{}.");
 constexpr std::string_view kRisesBeyond = gg::tag(
     "The error does not fall beyond {} {}: from {} at {} to {} there; it has risen to {} at {}{}.");
 constexpr std::string_view kOnTheWay = gg::tag("On the way it rises from {} at {} to {} at {}.");
@@ -223,16 +225,17 @@ std::string fallText(const std::string& number, const std::vector<std::string>& 
   if (best == 0)
     return fmt::format(fmt::runtime(risen ? kRises : kStays), number, first, labels[0], end,
                        labels[last], share);
-  return fmt::format(fmt::runtime(risen ? kRisesBeyond : kStaysBeyond), number, labels[best], first,
-                     labels[0], errorText(errors[best]), end, labels[last], share) +
+  const std::string_view beyond = risen ? kRisesBeyond : change < 0 ? kHardlyBeyond : kStaysBeyond;
+  return fmt::format(fmt::runtime(beyond), number, labels[best], first, labels[0],
+                     errorText(errors[best]), end, labels[last], share) +
          rises;
 }
 
 std::string fallInWords(const std::string& fall) {
   if (gg::language() == gg::Language::english) return fall;
   std::string said, rest = fall;
-  for (const std::string_view sentence :
-       {kOneValue, kNoDifference, kFalls, kStays, kRises, kStaysBeyond, kRisesBeyond, kOnTheWay}) {
+  for (const std::string_view sentence : {kOneValue, kNoDifference, kFalls, kStays, kRises,
+                                          kStaysBeyond, kHardlyBeyond, kRisesBeyond, kOnTheWay}) {
     const std::regex pattern = patternOf(std::string(sentence));
     for (std::smatch match;
          std::regex_search(rest, match, pattern, std::regex_constants::match_continuous);) {
