@@ -172,9 +172,9 @@ TEST(TradeoffFall, SaysFromWhereOnNothingIsGained) {
   EXPECT_EQ(fallText("mirror_size", {"64", "128", "256", "512"}, {0.04, 0.02, 0.01, 0.0101}),
             "The error does not fall beyond mirror_size 256: from 4.0% at 64 to 1.0% there; "
             "1.0% at 512 (+1.0%).");
-  EXPECT_EQ(fallText("mirror_size", {"64", "128", "256"}, {0.04, 0.01, 0.0097}),
-            "The error hardly falls beyond mirror_size 128: from 4.0% at 64 to 1.0% there; "
-            "0.97% at 256 (-3.0%).");
+  EXPECT_EQ(fallText("mirror_size", {"64", "128", "256"}, {0.04, 0.002, 0.00195}),
+            "The error hardly falls beyond mirror_size 128: from 4.0% at 64 to 0.20% there; "
+            "0.19% at 256 (-2.5%).");
 }
 
 TEST(TradeoffFall, SaysByHowMuchItRises) {
