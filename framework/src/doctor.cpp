@@ -249,9 +249,10 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
              : say("nothing is drawn to the window: all that this frame draws goes to framebuffer "
                    "objects"));
   } else if (!watch.foundSomething && isOneColor(windowPicture(window))) {
-    find(say("all pixels of the window have one colour, though something was drawn there: it lies "
-             "out of view (gl_Position is projection * view * model * position), is culled or "
-             "hidden, or has the background's colour"));
+    find(say(
+        "{}, though something was drawn there: it lies out of view (gl_Position is projection * "
+        "view * model * position), is culled or hidden, or has the background's colour",
+        words("all pixels of the window have one colour")));
     for (const std::string& text : watch.perhaps) tell(say("perhaps: {}", text));
   }
   std::vector<GLuint> drawnInto = std::move(watch.drawnInto);

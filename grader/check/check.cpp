@@ -89,6 +89,10 @@ std::string capitalized(std::string text) {
 }
 
 /// One look, step by step.
+std::string doctorsPrefix() {
+  return say("frame doctor: {}", "");
+}
+
 class Check {
 public:
   Check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
@@ -148,11 +152,15 @@ private:
   /// samplers without a texture.
   void observe(const trace::Trace& trace) {
     observed_ = diagnosis::stateFaults(trace);
-    const std::string doctor = say("frame doctor: {}", "");
+    const std::string doctor = doctorsPrefix();
     const auto said = std::ranges::find_if(
         checked_.messages, [&](const std::string& text) { return text.starts_with(doctor); });
     // What it says after that are guesses.
-    if (said != checked_.messages.end()) observed_.push_back(said->substr(doctor.size()));
+    if (said != checked_.messages.end()) {
+      const std::string text = said->substr(doctor.size());
+      const bool vague = text.starts_with(words("all pixels of the window have one colour"));
+      (vague ? guess_ : observed_.emplace_back()) = text;
+    }
     const std::set<std::string> with = diagnosis::samplersWithTexture(trace);
     // What has one before this part begins may have it from another part, which may not be done.
     for (const std::string& sampler : expected_.samplers[step_])
@@ -196,7 +204,7 @@ private:
     Suspect suspect;
     if (first && !expected_.scenes[first->scene].another) {
       suspect.todo = likeliest(first->scene);
-      suspect.isExplained = !suspect.todo.empty() || !observed_.empty() ||
+      suspect.isExplained = !suspect.todo.empty() || !observed_.empty() || !guess_.empty() ||
                             checked_.happened.outcome == report::Outcome::glError;
     } else if (first) {
       suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one alone
@@ -340,6 +348,7 @@ private:
       found.push_back(checked_.cause);
       if (!checked_.hint.empty()) found.push_back(checked_.hint);
     }
+    if (!guess_.empty()) found.push_back(guess_);
     for (const std::string& message : checked_.messages)
       if (message.find(": warning: ") != message.npos) found.push_back(message);
     if (!change_.empty()) found.push_back(change_);
@@ -347,6 +356,12 @@ private:
     checked_.cause = capitalized(found.front());
     checked_.hint.clear();
     for (std::size_t k = 1; k < found.size(); ++k) checked_.hint += (k > 1 ? "\n" : "") + found[k];
+    // Once is enough.
+    std::erase_if(checked_.messages, [&](const std::string& message) {
+      return std::ranges::any_of(found, [&](const std::string& text) {
+        return message == text || message == doctorsPrefix() + text;
+      });
+    });
   }
 
   /// The windows of the scene that is spoken of: of the first wrong picture; if all is right, of
@@ -374,6 +389,7 @@ private:
   std::string compilerOutput_;
   diagnosis::Facts facts_;
   std::vector<std::string> observed_; // of the public scene, without looking at pictures
+  std::string guess_;                 // likewise, but vague: any known mistake says more
   std::string change_;                // what turns the right picture into the wrong one
   Shown shown_;
   std::vector<Image> windows_; // by scene; empty: none came
