@@ -36,14 +36,22 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
   if (!fs::exists(file)) return scenes;
   const json settings = readJson(file), steps = settings.value("steps", json::object()),
              others = settings.value("others", json::object());
-  const auto addOther = [&](const std::string& of, const std::string& todo, json scene) {
-    if (!others.contains(of)) return;
-    scene.merge_patch(others[of].at("scene"));
-    const std::string name = fmt::format("another scene for {}", of);
-    grading::checkScene(assignment, scene, file.string() + ": others: " + of);
-    scenes.push_back({name, scene, {others[of].at("time").get<double>()}, todo, true});
+  const auto addOthers = [&](const std::string& of, const std::string& todo, const json& base) {
+    const json list = others.value(of, json::array());
+    if (!list.is_array())
+      throw UsageError(fmt::format("{}: others: {}: must be a list of scenes", file.string(), of));
+    for (const json& other : list) {
+      json scene = base;
+      scene.merge_patch(other.at("scene"));
+      grading::checkScene(assignment, scene, file.string() + ": others: " + of);
+      scenes.push_back({fmt::format("another scene for {}", of),
+                        scene,
+                        {other.at("time").get<double>()},
+                        todo,
+                        true});
+    }
   };
-  addOther(part.id, "", grading::partScene(assignment, {part.id}));
+  addOthers(part.id, "", grading::partScene(assignment, {part.id}));
   for (std::size_t k = 1; k <= part.todos.size(); ++k) {
     const std::string& todo = part.todos[k - 1].id;
     if (!blank.count(todo)) continue;
@@ -51,7 +59,7 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
     if (steps.contains(todo))
       scenes.push_back({fmt::format("the handout's step {}", k), scene,
                         settings.at("times").get<std::vector<double>>(), todo, false});
-    addOther(todo, todo, scene);
+    addOthers(todo, todo, scene);
   }
   return scenes;
 }

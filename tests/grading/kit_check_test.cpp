@@ -285,6 +285,10 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
   const json part = checked(samples.path());
   EXPECT_EQ(part.at("todos").at(6).at("state"), "wrong");
   EXPECT_EQ(part.at("todos").at(2).at("state"), "done");
+  Submission none = Submission::solution();
+  none.replace("tile.frag", "uBlurSigma > 0 && uBlurSamples > 0", "uBlurSigma > 0");
+  EXPECT_EQ(checked(none.path()).at("todos").at(6).at("state"), "wrong")
+      << "the sum of no samples was divided by their number";
 }
 
 TEST_F(Check, AnErrorOfOpenGlIsNeverDone) {
