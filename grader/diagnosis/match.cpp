@@ -346,6 +346,10 @@ std::optional<Identified> KnownFaults::identify(const Run& student, const Thresh
   if (auto found = identifyBySlots(student, *this, thresholds, leftOut)) return found;
   const Run ours = corresponding(student, reference);
   KnownFaults known{withPassesOf(ours, reference), signatures};
+  // Passes that are missing aren't compared here: where the others are right, an empty window alone
+  // would name a fault.
+  if (windowsShowNothing(ours) && passShowsNothing(ours, firstWrong(ours, known.reference)))
+    return std::nullopt;
   for (Signature& signature : known.signatures)
     signature.run = corresponding(signature.run, reference);
   return identifyBySlots(ours, known, thresholds, leftOut);

@@ -158,4 +158,13 @@ TEST(DiagnosisCorrespondence, AMistakeIsNamedInAProgramThatIsMadeInAnotherWay) {
   }
 }
 
+/// The window is black in many ways: missing passes aside, all of them are alike.
+TEST(DiagnosisCorrespondence, AnEmptyWindowBehindRightPassesNamesNothing) {
+  const Image black(320, 240, 3);
+  const KnownFaults known{
+      {right()}, {{"into another", "", {frame({kNormals, kLight, kTiles, noise(1)}, black)}}}};
+  EXPECT_TRUE(known.identify({frame({kNormals, kLight, kTiles, noise(1)}, black)}));
+  EXPECT_FALSE(known.identify({frame({kNormals, kLight, kTiles}, black)}));
+}
+
 } // namespace
