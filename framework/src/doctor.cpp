@@ -11,11 +11,14 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "print_once.hpp"
 #include "reload.hpp"
 #include "words/words.hpp"
 #include <gg/debug.hpp>
+
+#include <fmt/ranges.h>
 
 namespace gg::detail {
 
@@ -101,6 +104,20 @@ void checkClipping(std::optional<bool> isWritten) {
       lastPlace());
 }
 
+void checkUniforms(GLuint program) {
+  std::vector<std::string> never;
+  for (const auto& [name, location] : zeroUniforms(program))
+    if (!watch.uniformsSet.contains({program, location})) never.push_back(name);
+  if (never.size() == 1)
+    find(say("uniform {0} of {1} is 0, as it was never set: set(\"{0}\", ...)", never.front(),
+             labelOf(program)) +
+         lastPlace());
+  else if (!never.empty())
+    find(say("the uniforms {} of {} are 0, as they were never set: set(...), and of this program",
+             fmt::format("{}", fmt::join(never, ", ")), labelOf(program)) +
+         lastPlace());
+}
+
 void onDraw() {
   const GLuint framebuffer = boundForDrawing();
   Target& target = watch.targets[framebuffer];
@@ -138,12 +155,7 @@ void onDraw() {
     const SamplerFaults faults = samplerFaults();
     for (const std::string& fault : faults.certain) find(fault + lastPlace());
     for (const std::string& fault : faults.perhaps) watch.perhaps.insert(fault + lastPlace());
-    if (watch.fromStart)
-      for (const auto& [name, location] : zeroUniforms(program))
-        if (!watch.uniformsSet.contains({program, location}))
-          find(say("uniform {0} of {1} is 0, as it was never set: set(\"{0}\", ...)", name,
-                   labelOf(program)) +
-               lastPlace());
+    if (watch.fromStart) checkUniforms(program);
   }
 }
 

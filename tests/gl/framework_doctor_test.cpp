@@ -281,6 +281,22 @@ TEST_P(Doctor, AUniformIsNeverSet) {
             ResultOf(lines, 1)));
 }
 
+/// As where another program's were set: one line for all.
+TEST_P(Doctor, SeveralUniformsAreNeverSet) {
+  EXPECT_THAT(frame([&](gg::Window&) {
+                const gg::Program other = triangle("vec4(uColor)", "uniform float uColor;");
+                const gg::Program program = triangle("vec4(uColor * uScale, uShift, 0, 1)",
+                                                     "uniform float uColor, uScale, uShift;");
+                other.set("uColor", 1.0f);
+                clear();
+                program.use();
+                draw();
+              }),
+              AllOf(HasSubstr("frame doctor: the uniforms uColor, uScale, uShift of test.vert + "
+                              "test.frag are 0, as they were never set: "),
+                    ResultOf(lines, 1)));
+}
+
 TEST_P(Doctor, AUniformThatIsSetToNothingIsMeantSo) {
   EXPECT_EQ(frame([&](gg::Window&) {
               const gg::Program program =
