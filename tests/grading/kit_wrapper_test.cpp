@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <sstream>
 
 using namespace tool;
@@ -63,6 +64,27 @@ TEST_F(Wrapper, TakesTheLanguageBeforeTheCommand) {
   const Ended wrong = run({"--lang", "fr", "run", "mirror"});
   EXPECT_EQ(wrong.exitCode, 2);
   EXPECT_EQ(wrong.errors, "ggrade: --lang fr: there are en and ja\n");
+  EXPECT_EQ(run({"--lang", "ja", "run", "none"}).errors,
+            "ggrade: 課題またはパート「none」はありません。あるのは：\n");
+}
+
+/// Whatever it says, it says in both languages.
+TEST_F(Wrapper, EveryTextIsThereInJapanese) {
+  const std::string script = read(kSource / "ggrade");
+  int texts = 0;
+  for (const std::string call : {" note \"", " die \""})
+    for (std::size_t at = script.find(call); at != script.npos; at = script.find(call, at + 1)) {
+      if (script.compare(at, 10, " note \"$@\"") == 0) continue;
+      const std::size_t end = script.find("\" \"", at);
+      ASSERT_NE(end, script.npos) << script.substr(at, 80);
+      const std::string english = script.substr(at, end - at);
+      const auto isForeign = [](char c) { return static_cast<unsigned char>(c) >= 0x80; };
+      EXPECT_TRUE(std::ranges::none_of(english, isForeign)) << english;
+      EXPECT_TRUE(std::ranges::any_of(script.substr(end, script.find('\n', end) - end), isForeign))
+          << english;
+      ++texts;
+    }
+  EXPECT_GE(texts, 12);
 }
 
 } // namespace
