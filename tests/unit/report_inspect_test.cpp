@@ -285,10 +285,17 @@ TEST(InspectPage, TextOfTheProgramIsEscaped) {
   EXPECT_THAT(page, HasSubstr("{{time}}: a frame, pass by pass</h1>"));
 }
 
-/// English words that a reader of the page or table sees; names and OpenGL's words apart.
+/// Takes away what stands from `begin` to the next `end`, wherever that is.
+std::string without(std::string text, std::string_view begin, std::string_view end) {
+  for (auto at = text.find(begin); at != text.npos; at = text.find(begin, at))
+    text.replace(at, text.find(end, at) + end.size() - at, " ");
+  return text;
+}
+
+/// English words that a reader of the page or table sees.
 std::vector<std::string> englishIn(std::string text) {
-  for (const char* unseen : {"<style>[^]*?</style>", "<script[^]*?</script>", "<[^>]*>"})
-    text = std::regex_replace(text, std::regex(unseen), " ");
+  text = without(without(text, "<style>", "</style>"), "<script", "</script>");
+  text = without(text, "<", ">");
   std::vector<std::string> found;
   const std::regex word("[A-Za-z_]*[a-z]{3,}[A-Za-z_]*");
   for (std::sregex_iterator at(text.begin(), text.end(), word), end; at != end; ++at)
