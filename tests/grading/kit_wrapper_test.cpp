@@ -10,6 +10,7 @@
 using namespace tool;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 namespace {
 
@@ -66,6 +67,31 @@ TEST_F(Wrapper, TakesTheLanguageBeforeTheCommand) {
   EXPECT_EQ(wrong.errors, "ggrade: --lang fr: there are en and ja\n");
   EXPECT_EQ(run({"--lang", "ja", "run", "none"}).errors,
             "ggrade: 課題またはパート「none」はありません。あるのは：\n");
+}
+
+/// A command that isn't there, or can't do its work here, is refused at once: minutes of building
+/// and hundreds of megabytes of packages aren't the price of a slip of the finger.
+TEST_F(Wrapper, RefusesACommandThatIsNotThere) {
+  for (const char* command : {"chekc", "ggrade", "r.n", "-x", "Usage:"}) {
+    const Ended refused = run({command});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_THAT(refused.errors, StartsWith("ggrade: there is no command \"" + std::string(command) +
+                                           "\"; there are: run, check, render, "));
+  }
+  EXPECT_THAT(run({"--lang", "ja", "chekc"}).errors,
+              StartsWith("ggrade: コマンド「chekc」はありません。あるのは：run, check, "));
+}
+
+TEST_F(Wrapper, RefusesInAKitWhatNeedsTheSolutions) {
+  for (const std::string command : {"demo", "grade", "batch", "calibrate", "tradeoff", "derive"}) {
+    const Ended refused = run({command, "mirror"});
+    EXPECT_EQ(refused.exitCode, 2);
+    EXPECT_EQ(refused.errors, "ggrade: ggrade " + command +
+                                  " needs the solutions, which are not there: " +
+                                  (folder_.path() / "solutions").string() + "\n");
+  }
+  EXPECT_EQ(run({"test"}).errors,
+            "ggrade: the tests are not there: " + (folder_.path() / "tests").string() + "\n");
 }
 
 /// Whatever it says, it says in both languages.
