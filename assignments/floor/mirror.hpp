@@ -14,12 +14,13 @@ struct Reflection {
 
 // TODO(mirror.1): make the framebuffer object of the reflection.
 //   Given:  `size` (pixels), `format` (GL_RGBA8; with bloom GL_RGBA16F, for light beyond 1) and the
-//           names in `reflection` (made, still empty).
+//           names in `reflection` (made, still empty). Its size, set here, says that it was made.
 //   Do:     storage for `color` (linear filter, clamp to edge) and `depth`; attach both to
 //           `framebuffer`; throw std::runtime_error if it isn't complete; bind the window again.
 //   Expect: the picture doesn't change yet.                             (mirror.md, step 1)
 inline void makeReflection(Reflection& reflection, GLsizei size, GLenum format) {
   reflection.size = size;
+  glBindTexture(GL_TEXTURE_2D, 0); // so that nobody samples it by chance
 }
 
 // Can this view show a reflection? Not if the effect is off, the floor reflects nothing, the eye is

@@ -31,8 +31,8 @@ void main() {
   if (uMirror) {
     // TODO(mirror.3): `reflected` is the reflection under this pixel of the window. The mirrored
     //   objects were drawn with the same projection: gl_FragCoord.xy / uViewport finds them.
-    // TODO(mirror.7): bonus: if uBlurSigma and uBlurSamples are more than 0, the Gaussian average over
-    //   that many samples.
+    // TODO(mirror.7): bonus: if uBlurSigma and uBlurSamples are more than 0, the plain mean of that
+    //   many samples, whose places follow a Gaussian distribution.
   }
   oColor = vec4(color + uMaterial.specular.rgb * reflected, 1);
 }

@@ -1,5 +1,6 @@
 #include "doctor.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -46,7 +47,7 @@ struct Watch {
   bool fromStart = false;                         // from when the window was made
   std::set<std::pair<GLuint, GLint>> uniformsSet; // program, location
   std::map<GLuint, Target> targets;               // by framebuffer; 0: the window
-  std::vector<GLuint> drawnInto;                  // framebuffer objects
+  std::vector<GLuint> written;                    // framebuffer objects: drawn into or cleared
   TextureTargets textures;
   std::map<GLuint, std::string> boundAt;          // a framebuffer, last
   std::map<std::string, std::string> calledAt;    // a function, last
@@ -72,8 +73,14 @@ GLuint boundForDrawing() {
   return static_cast<GLuint>(ask(GL_DRAW_FRAMEBUFFER_BINDING));
 }
 
+void listAsWritten(GLuint framebuffer) {
+  if (framebuffer != 0 && std::ranges::find(watch.written, framebuffer) == watch.written.end())
+    watch.written.push_back(framebuffer);
+}
+
 void onClear(GLbitfield what) {
   const GLuint framebuffer = boundForDrawing();
+  listAsWritten(framebuffer);
   Target& target = watch.targets[framebuffer];
   if ((what & GL_COLOR_BUFFER_BIT) != 0) target.colorCleared = true;
   if (framebuffer == 0) ++windowClears;
@@ -122,8 +129,8 @@ void onDraw() {
   const GLuint framebuffer = boundForDrawing();
   Target& target = watch.targets[framebuffer];
   ++target.draws;
+  listAsWritten(framebuffer);
   if (framebuffer != 0 && target.draws == 1) {
-    watch.drawnInto.push_back(framebuffer);
     const std::string fault = incompleteness();
     if (!fault.empty())
       find(say("framebuffer object {} is not complete, so nothing is drawn into it: {}",
@@ -255,7 +262,9 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
              ask(GL_CULL_FACE_MODE) == GL_FRONT ? "GL_FRONT" : "GL_FRONT_AND_BACK") +
          watch.calledAt["glCullFace"]);
   if (watch.targets[0].draws == 0) {
-    find(watch.drawnInto.empty()
+    const bool draws = std::ranges::any_of(
+        watch.targets, [](const auto& target) { return target.second.draws > 0; });
+    find(!draws
              ? say("nothing is drawn to the window: there is no draw call before the end of the "
                    "frame")
              : say("nothing is drawn to the window: all that this frame draws goes to framebuffer "
@@ -267,11 +276,11 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
         words("all pixels of the window have one colour")));
     for (const std::string& text : watch.perhaps) tell(say("perhaps: {}", text));
   }
-  std::vector<GLuint> drawnInto = std::move(watch.drawnInto);
+  std::vector<GLuint> written = std::move(watch.written);
   TextureTargets textures = std::move(watch.textures);
   watch = {};
   watch.textures = std::move(textures);
-  return drawnInto;
+  return written;
 }
 
 const TextureTargets& knownTextures() {

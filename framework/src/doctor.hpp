@@ -19,7 +19,8 @@ void watchFrame(bool fromStart);
 /// If the frame was watched, prints on stderr what is wrong at its end, each message once, and ends
 /// the watch. To be called before the buffers are swapped.
 ///   window: pixels
-/// Returns the framebuffer objects that were drawn into, in the order in which they were first.
+/// Returns the framebuffer objects that were drawn into or cleared, in the order in which they were
+/// first.
 std::vector<GLuint> frameEnds(const glm::ivec2& window);
 
 /// All textures that were bound while calls were watched.

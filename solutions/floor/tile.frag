@@ -53,8 +53,8 @@ void main() {
     vec2 at = gl_FragCoord.xy / uViewport;
     reflected = texture(uReflection, at).rgb;
     // END SOLUTION(mirror.3)
-    // TODO(mirror.7): bonus: if uBlurSigma and uBlurSamples are more than 0, the Gaussian average over
-    //   that many samples.
+    // TODO(mirror.7): bonus: if uBlurSigma and uBlurSamples are more than 0, the plain mean of that
+    //   many samples, whose places follow a Gaussian distribution.
     // BEGIN SOLUTION(mirror.7)
     if (uBlurSigma > 0 && uBlurSamples > 0) reflected = blurredReflection(at);
     // END SOLUTION(mirror.7)
