@@ -208,10 +208,10 @@ private:
                             checked_.happened.outcome == report::Outcome::glError;
     } else if (first) {
       suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one alone
-      checked_.cause =
-          say("It is right in the handed-out scenes and wrong in another one: is a number typed in "
-              "that comes from the scene, the window or a texture, or is something missing that "
-              "hardly shows in the others?");
+      checked_.cause = say(
+          "It is right in the handed-out scenes, or nearly, and wrong in another one: is a number "
+          "typed in that comes from the scene, the window or a texture, or is something missing "
+          "or too much that hardly shows in the others?");
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     // A call that fails does nothing, whether that is seen already or not.

@@ -104,7 +104,7 @@ std::string firstOf(const Slot& slot) {
   const std::string size =
       slot.octave > 0    ? say("1/{} of the window's size", 1 << std::min(slot.octave, 20))
       : slot.octave == 0 ? say("the window's size")
-                         : say("{} times the window's size", 1 << std::min(-slot.octave, 20));
+                         : say("about {} times the window's size", 1 << std::min(-slot.octave, 20));
   return slot.depth ? say("the depth texture at {}", size) : say("the texture at {}", size);
 }
 

@@ -115,9 +115,18 @@ TEST_P(Doctor, CanBeSwitchedOff) {
 }
 
 TEST_P(Doctor, NothingIsDrawn) {
-  EXPECT_EQ(frame([](gg::Window&) { clear(); }),
-            "frame doctor: nothing is drawn to the window: there is no draw call before the end of "
-            "the frame\n");
+  const std::string said = "frame doctor: nothing is drawn to the window: there is no draw call "
+                           "before the end of the frame\n";
+  EXPECT_EQ(frame([](gg::Window&) { clear(); }), said);
+  EXPECT_EQ(frame([](gg::Window& window) {
+              const Target cleared;
+              clear();
+              glBindFramebuffer(GL_FRAMEBUFFER, 0);
+              glViewport(0, 0, window.width(), window.height());
+              clear();
+            }),
+            said)
+      << "clearing a framebuffer object draws nothing, either";
 }
 
 TEST_P(Doctor, SpeaksJapanese) {

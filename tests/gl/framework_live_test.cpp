@@ -29,7 +29,7 @@ protected:
     onKey(window.handle(), key, 0, GLFW_PRESS, 0);
   }
 
-  /// A texture of one colour, drawn into by clearing and a draw call.
+  /// A texture of one colour.
   struct Target {
     Target(int width, int height, GLint format, GLenum attachment)
         : attachment(attachment), isDepth(attachment == GL_DEPTH_ATTACHMENT) {
@@ -47,10 +47,11 @@ protected:
     gg::Framebuffer framebuffer;
   };
 
-  void fill(const Target& target, const glm::vec4& value) const {
+  /// By clearing and, unless it is `onlyCleared`, a draw call that draws nothing.
+  void fill(const Target& target, const glm::vec4& value, bool onlyCleared = false) const {
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
     glClearBufferfv(target.isDepth ? GL_DEPTH : GL_COLOR, 0, &value.x);
-    glDrawArrays(GL_POINTS, 0, 0); // draws nothing, but there is a draw call
+    if (!onlyCleared) glDrawArrays(GL_POINTS, 0, 0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
   }
 
@@ -83,7 +84,7 @@ TEST_F(Live, TilesShowEveryTextureOfTheFrame) {
   const Target depth(kWidth, kHeight, GL_DEPTH_COMPONENT24, GL_DEPTH_ATTACHMENT);
   glBindVertexArray(noVertices);
   const auto frame = [&] {
-    fill(color, {1, 0, 0, 1});
+    fill(color, {1, 0, 0, 1}, true);
     fill(bright, {3, 1, 0, 1});
     fill(depth, glm::vec4(0.998f));
     const GLfloat blue[] = {0, 0, 1, 1};
