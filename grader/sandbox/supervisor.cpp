@@ -157,6 +157,7 @@ void Supervisor::readReports() {
 
 void Supervisor::checkLimits(const std::atomic<bool>* cancel) {
   if (stopping_) {
+    killNamespace();
     // The end is under way; if it does not come, the helper's own death takes the rest with it.
     if (secondsSince(stopped_) > 2) kill(helper_, SIGKILL);
     return;
@@ -198,9 +199,14 @@ void Supervisor::stop(End end, std::string detail) {
   result_.detail = std::move(detail);
   result_.wallSeconds = begun_ ? secondsSince(started_) : 0;
   connections_.lifeline.close();
-  // Killing the namespace's init kills every member; bwrap waits for it, and we for bwrap.
-  if (!inNamespace_) return;
-  if (!killThrough(init_)) kill(helper_, SIGKILL);
+  killNamespace();
+}
+
+// Killing the namespace's init kills every member; bwrap waits for it, and we for bwrap. A bwrap
+// that has not named its child yet will, and is not killed before: the child waits for its word,
+// and would for ever.
+void Supervisor::killNamespace() const {
+  if (inNamespace_) killThrough(init_);
 }
 
 bool Supervisor::helperIsGone() {

@@ -39,6 +39,7 @@ private:
   void readInfo();
   void checkLimits(const std::atomic<bool>* cancel);
   void stop(End end, std::string detail);
+  void killNamespace() const;
   bool helperIsGone();
   void conclude();
   double secondsSince(Clock::time_point start) const;

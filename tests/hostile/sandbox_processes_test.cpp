@@ -9,6 +9,7 @@
 #include <csignal>
 #include <fstream>
 #include <set>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -32,6 +33,16 @@ template <class Meanwhile> Result runBeside(const Command& command, Meanwhile me
   cancel = true;
   thread.join();
   return result;
+}
+
+/// Do all children end before so long?
+bool childrenEnd(std::chrono::milliseconds longest) {
+  for (const auto end = std::chrono::steady_clock::now() + longest;;) {
+    const pid_t ended = waitpid(-1, nullptr, WNOHANG);
+    if (ended < 0) return errno == ECHILD;
+    if (ended == 0 && std::chrono::steady_clock::now() > end) return false;
+    if (ended == 0) std::this_thread::sleep_for(1ms);
+  }
 }
 
 std::string realUid(int pid) {
@@ -188,6 +199,20 @@ TEST_P(SandboxProcesses, CancellingTakesATenthOfASecond) {
   }
   EXPECT_LT(quickest, 100ms);
   EXPECT_THAT(processesWith(mark), IsEmpty());
+}
+
+// bwrap that is killed between its fork and its word to the child leaves a child that waits for
+// that word for ever.
+TEST_P(SandboxProcesses, CancellingWhileTheSandboxStartsLeavesNothing) {
+  if (delegated()) return;
+  ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0); // what is left becomes our child
+  for (int attempt = 0; attempt < 60; ++attempt) {
+    const Result result = runBeside(attack("sleep", {marker()}), [&](std::atomic<bool>&) {
+      std::this_thread::sleep_for(attempt * 500us);
+    });
+    EXPECT_EQ(result.end, End::interrupted) << describe(result);
+    ASSERT_TRUE(childrenEnd(1s)) << attempt * 500 << " microseconds after the start";
+  }
 }
 
 TEST_P(SandboxProcesses, RunsBesideEachOtherHaveDistinctUids) {
