@@ -7,15 +7,22 @@
 #include <fstream>
 #include <functional>
 
+#include <unistd.h>
+
 namespace {
 
 using testing::HasSubstr;
 
 const std::string kHeader = "#?RADIANCE\n# made by hand\nFORMAT=32-bit_rle_rgbe\n\n";
 
-/// Reads a file with these bytes.
+/// Reads a file with these bytes. (Each test is a process, and several run at a time.)
 EnvironmentMap load(const std::string& bytes) {
-  const std::string file = testing::TempDir() + "ggrade_environment.hdr";
+  const std::string file =
+      testing::TempDir() + "ggrade_environment_" + std::to_string(getpid()) + ".hdr";
+  struct Removed {
+    ~Removed() { unlink(name.c_str()); }
+    const std::string& name;
+  } removed{file};
   std::ofstream(file, std::ios::binary) << bytes;
   return loadEnvironment(file);
 }
