@@ -249,6 +249,21 @@ TEST_F(Check, TellsOfClippingThatWasNotEnabled) {
   EXPECT_THAT(part.at("messages").dump(), HasSubstr("glEnable(GL_CLIP_DISTANCE0)"));
 }
 
+/// Though nothing else is bound that the floor could sample instead.
+TEST_F(Check, ATextureThatIsNotBoundIsMissed) {
+  const std::string bind = "    glBindTexture(GL_TEXTURE_2D, reflection.color);\n";
+  for (const bool atAll : {false, true})
+    for (const int steps : {3, 7}) {
+      Submission submission = Submission::firstSteps(steps);
+      submission.replace("floor.cpp", "    glActiveTexture(GL_TEXTURE0);\n" + bind,
+                         atAll ? "    glActiveTexture(GL_TEXTURE1);\n" + bind : "");
+      const json part = checked(submission.path());
+      EXPECT_EQ(part.at("todos").at(2).at("state"), "wrong") << part.dump(1);
+      EXPECT_THAT(part.at("cause").get<std::string>(),
+                  HasSubstr("The sampler uReflection reads no texture"));
+    }
+}
+
 TEST_F(Check, WhatAnotherPartBindsIsNotMissedHere) {
   const fs::path file = folder_.path() / "mirror" / "expected.json";
   const std::string kept = read(file);
