@@ -105,7 +105,7 @@ void checkClipping(std::optional<bool> isWritten) {
       (clips
            ? say("GL_CLIP_DISTANCE0 is enabled, but a vertex shader that draws writes no "
                  "gl_ClipDistance: a graphics card may cut off anything. "
-                 "glDisable(GL_CLIP_DISTANCE0) before it draws")
+                 "Write it there, or glDisable(GL_CLIP_DISTANCE0) before it draws")
            : say("a vertex shader writes gl_ClipDistance, but GL_CLIP_DISTANCE0 is not enabled "
                  "while it draws: a graphics card cuts off nothing. glEnable(GL_CLIP_DISTANCE0)")) +
       lastPlace());

@@ -252,7 +252,7 @@ void app(const gg::Scene& scene) {
     tileProgram.set("uBlurSamples", scene.integer("quality.blur_samples"));
     tileProgram.set("uReflection", 0); // texture unit
     // TODO(mirror.3): let the floor sample the reflection: bind its colour texture to unit 0 here,
-    //   and add it in tile.frag.
+    //   and read it in tile.frag.
     //   Expect: the floor takes on the tint of the background.        (mirror.md, step 3)
     // BEGIN SOLUTION(mirror.3)
     glActiveTexture(GL_TEXTURE0);

@@ -231,7 +231,8 @@ TEST_P(Doctor, ClippingIsEnabledForAShaderThatWritesNoDistance) {
               }),
               AllOf(HasSubstr("frame doctor: GL_CLIP_DISTANCE0 is enabled, but a vertex shader "
                               "that draws writes no gl_ClipDistance: a graphics card may cut off "
-                              "anything. glDisable(GL_CLIP_DISTANCE0) before it draws (framework_"
+                              "anything. Write it there, or glDisable(GL_CLIP_DISTANCE0) before it "
+                              "draws (framework_"
                               "doctor_test.cpp:"),
                     ResultOf(lines, 1)));
 }
