@@ -82,7 +82,15 @@ void onClear(GLbitfield what) {
   const GLuint framebuffer = boundForDrawing();
   listAsWritten(framebuffer);
   Target& target = watch.targets[framebuffer];
-  if ((what & GL_COLOR_BUFFER_BIT) != 0) target.colorCleared = true;
+  if ((what & GL_COLOR_BUFFER_BIT) != 0) {
+    if (framebuffer != 0 && !target.colorCleared && incompleteness().empty() && lacksColor())
+      find(say("framebuffer object {} has no colour attachment, so its colours are neither cleared "
+               "nor drawn: glFramebufferTexture2D attaches a texture, as GL_COLOR_ATTACHMENT0. "
+               "Where depth is enough, glDrawBuffer(GL_NONE)",
+               framebuffer) +
+           lastPlace());
+    target.colorCleared = true;
+  }
   if (framebuffer == 0) ++windowClears;
   if ((what & GL_DEPTH_BUFFER_BIT) == 0) return;
   GLboolean written = GL_TRUE;

@@ -103,6 +103,18 @@ bool hasDepth() {
                        GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE;
 }
 
+bool lacksColor() {
+  bool isNamed = false;
+  for (GLint i = 0; i < ask(GL_MAX_DRAW_BUFFERS); ++i) {
+    const GLint buffer = ask(GL_DRAW_BUFFER0 + GLenum(i));
+    if (buffer == GL_NONE) continue;
+    isNamed = true;
+    if (askAttachment(GLenum(buffer), GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE)
+      return false;
+  }
+  return isNamed;
+}
+
 namespace {
 
 bool isSampler2D(GLenum type) {

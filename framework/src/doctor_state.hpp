@@ -32,6 +32,10 @@ glm::ivec2 framebufferSize(const TextureTargets& targets);
 /// Has the framebuffer that is bound for drawing a depth buffer?
 bool hasDepth();
 
+/// Are colours drawn into the framebuffer object that is bound for drawing, as its draw buffers
+/// say, though nothing is attached where they name?
+bool lacksColor();
+
 /// Is gl_ClipDistance written before this program's fragment shader? Told from the text of its
 /// shaders; nothing where they aren't attached any more.
 std::optional<bool> writesClipDistance(GLuint program);

@@ -137,7 +137,7 @@ int main(int argc, char** argv) try {
     std::cout << app.help();
     return 0;
   } catch (const CLI::ParseError& error) {
-    std::cerr << "ggrade compare: " << error.what() << '\n'
+    std::cerr << "ggrade compare: " << ggrade::cli::sayRefusal(error) << '\n'
               << say("Usage: ggrade compare A B [options]; ggrade compare --help explains them.")
               << '\n';
     return int(CompareExit::fileError);

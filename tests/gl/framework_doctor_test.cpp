@@ -175,6 +175,41 @@ TEST_P(Doctor, AnIncompleteFramebuffer) {
                         "attachment has no storage"));
 }
 
+/// With depth it is complete all the same.
+TEST_P(Doctor, AFramebufferWithoutItsColour) {
+  const auto withDepth = [&](GLenum drawBuffer, GLbitfield cleared) {
+    return frame([&](gg::Window& window) {
+      const gg::Program red = triangle();
+      const gg::Framebuffer framebuffer;
+      const gg::Renderbuffer depth;
+      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+      glBindRenderbuffer(GL_RENDERBUFFER, depth);
+      glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, 16, 16);
+      glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth);
+      glDrawBuffer(drawBuffer);
+      glViewport(0, 0, 16, 16);
+      red.use();
+      for (int layer = 0; layer < 2; ++layer) {
+        glClear(cleared);
+        draw();
+      }
+      glBindFramebuffer(GL_FRAMEBUFFER, 0);
+      glViewport(0, 0, window.width(), window.height());
+      clear();
+      draw();
+    });
+  };
+  constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+  EXPECT_THAT(withDepth(GL_COLOR_ATTACHMENT0, kBoth),
+              AllOf(HasSubstr("frame doctor: framebuffer object 1 has no colour attachment, so its "
+                              "colours are neither cleared nor drawn: glFramebufferTexture2D "
+                              "attaches a texture, as GL_COLOR_ATTACHMENT0. Where depth is enough, "
+                              "glDrawBuffer(GL_NONE) (framework_doctor_test.cpp:"),
+                    ResultOf(lines, 1)));
+  EXPECT_EQ(withDepth(GL_NONE, kBoth), "");
+  EXPECT_EQ(withDepth(GL_COLOR_ATTACHMENT0, GL_DEPTH_BUFFER_BIT), "") << "as a shadow map may";
+}
+
 TEST_P(Doctor, AViewportThatDoesNotFit) {
   EXPECT_EQ(frame([&](gg::Window&) {
               const gg::Program red = triangle();

@@ -119,6 +119,14 @@ TEST_F(CompareCommand, SpeaksJapaneseWithTheSameNumbers) {
                               Not(HasSubstr("Exit codes"))));
 }
 
+TEST_F(CompareCommand, RefusesInJapanese) {
+  setenv("GG_LANG", "ja", 1);
+  expectError("grey.png", "ggrade compare: Bの指定が必要です\n");
+  expectError("grey.png dot.png -radius 65", "--radius：65は0から64までの範囲にありません");
+  expectError("grey.png dot.png -fail -1", "--fail: '-1'は0以上の数ではありません");
+  setenv("GG_LANG", "en", 1);
+}
+
 TEST_F(CompareCommand, FollowsTheLimitsOfIdiff) {
   const auto exitCode = [&](const std::string& limits) {
     return run("grey.png dot.png -q " + limits).exitCode;

@@ -68,6 +68,29 @@ TEST(Language, AnotherOneIsAUsageError) {
   EXPECT_THAT(none.errors, HasSubstr("--lang needs a value: en or ja"));
 }
 
+/// What CLI11 says, sentence by sentence.
+TEST(Language, ARefusedCommandLineIsToldInJapanese) {
+  const auto refusal = [](Arguments arguments) {
+    arguments.insert(arguments.end(), {"--lang", "ja"});
+    const Ended ended = runTool(arguments);
+    EXPECT_EQ(ended.exitCode, 2);
+    return ended.errors.substr(0, ended.errors.find('\n'));
+  };
+  EXPECT_EQ(refusal({"list", "-x"}), "使い方の誤り：次の引数は使えません：-x");
+  // In the order in which CLI11 gives them.
+  EXPECT_EQ(refusal({"list", "-x", "-y"}), "使い方の誤り：次の引数は使えません：-y -x");
+  EXPECT_EQ(refusal({}), "使い方の誤り：コマンドの指定が必要です");
+  EXPECT_EQ(refusal({"inspect"}), "使い方の誤り：IDの指定が必要です");
+  EXPECT_EQ(refusal({"inspect", "mirror", "--time", "soon"}),
+            "使い方の誤り：--timeの値を読み取れません：soon");
+  EXPECT_EQ(refusal({"inspect", "mirror", "--out"}),
+            "使い方の誤り：--out：1個必要な値 (TEXT) が足りません");
+  EXPECT_EQ(refusal({"render", "mirror", "--out", "x", "--raw"}),
+            "使い方の誤り：--rawには--passesも必要です");
+  EXPECT_EQ(refusal({"grade", "mirror", "x", "--quality", "best"}),
+            "使い方の誤り：--quality：bestは{fast,balanced,thorough}の中にありません");
+}
+
 TEST(Language, FollowsTheEnvironmentToo) {
   // Before anything is drawn: the program doesn't compile.
   const Submission submission = Submission::program("int main() { return x; }\n");

@@ -69,6 +69,14 @@ TEST_F(Wrapper, TakesTheLanguageBeforeTheCommand) {
             "ggrade: 課題またはパート「none」はありません。あるのは：\n");
 }
 
+TEST_F(Wrapper, SpeaksTheLanguageThatStandsAfterTheCommand) {
+  const std::string said = "ggrade: 課題またはパート「none」はありません。あるのは：\n";
+  EXPECT_EQ(run({"run", "none", "--lang", "ja"}).errors, said);
+  EXPECT_EQ(run({"run", "none", "--lang=ja"}).errors, said);
+  EXPECT_THAT(run({"run", "none", "--", "--lang", "ja"}).errors,
+              StartsWith("ggrade: there is no assignment or part"));
+}
+
 /// A command that isn't there, or can't do its work here, is refused at once: minutes of building
 /// and hundreds of megabytes of packages aren't the price of a slip of the finger.
 TEST_F(Wrapper, RefusesACommandThatIsNotThere) {
