@@ -51,7 +51,7 @@ void printWhatIsThere(const std::string& id) {
   step("derive " + id, "makes the stub and the handout");
   step(grade, "the reference has all points");
   step("calibrate " + id + " --seeds 2", "right and wrong answers separate");
-  fmt::print("CONTRIBUTING.md, \"A new assignment\", says what to change, file by file.\n");
+  fmt::print("docs/authoring.md, \"A new assignment\", says what to change, step by step.\n");
 }
 
 void make(const std::string& id, const std::string& title) {
