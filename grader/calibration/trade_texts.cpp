@@ -1,6 +1,7 @@
 #include "calibration/trade.hpp"
 
 #include "gradebook/csv.hpp"
+#include "report/chart.hpp"
 #include "report/text.hpp"
 
 #include <fmt/format.h>
@@ -8,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace ggrade::calibration {
 
@@ -96,7 +98,68 @@ Section measuresOf(const Trade& trade) {
   return section;
 }
 
+/// How a sweep is drawn: its class in the sheet, and where its labels stand beside their dots.
+struct Line {
+  const char *sweep, *style;
+  double x, y;
+};
+
+constexpr Line kLines[] = {
+    {"quality", "one", 0, -12}, {"window size", "two", 0, 22}, {"hidden scenes", "three", -14, 22}};
+
 } // namespace
+
+std::string chartOf(const Trade& trade) {
+  constexpr report::Chart::Area kArea{70, 1010, 24, 320};
+  double slowest = 0, least = 0, most = 0;
+  for (const TradeRow& row : trade.rows) {
+    if (!std::isfinite(row.margin())) return {};
+    slowest = std::max(slowest, row.seconds.median);
+    least = std::min(least, row.margin());
+    most = std::max(most, row.margin());
+  }
+  const auto label = [](double value) { return number(value); };
+  const auto x = report::Axis::linear(0, slowest, kArea.left, kArea.right);
+  const auto y = report::Axis::linear(least, most, kArea.bottom, kArea.top);
+  report::Chart chart(kArea);
+  chart.gridAlong(x, label);
+  chart.gridUp(y, label);
+  std::set<std::pair<double, double>> known;
+  for (const Line& line : kLines) {
+    std::vector<const TradeRow*> rows;
+    std::vector<std::pair<double, double>> points;
+    for (const TradeRow& row : trade.rows) {
+      if (row.sweep != line.sweep) continue;
+      rows.push_back(&row);
+      points.emplace_back(x.at(row.seconds.median), y.at(row.margin()));
+    }
+    chart.path(line.style, points);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      const TradeRow& row = *rows[i];
+      const auto [u, v] = points[i];
+      const bool errs = row.errors.rightRejected + row.errors.wrongAccepted > 0;
+      chart.dot(std::string(line.style) + (errs ? " errs" : ""), u, v, 5,
+                fmt::format("{}: {}, {} s, margin {}, {} right and {} wrong answers misjudged",
+                            row.sweep, row.name, number(row.seconds.median),
+                            number(row.margin(), 1), row.errors.rightRejected,
+                            row.errors.wrongAccepted));
+      // What stands in several sweeps has one name.
+      const bool named = !known.insert(points[i]).second;
+      chart.text("tick", u + line.x, v + line.y, line.x < 0 ? "end" : "middle",
+                 named ? "" : row.name);
+    }
+  }
+  double at = kArea.left + 10;
+  for (const Line& line : kLines) {
+    chart.dot(line.style, at, kArea.bottom + 42, 5);
+    chart.text("", at + 12, kArea.bottom + 46, "", line.sweep);
+    at += 130;
+  }
+  chart.text("tick", kArea.right, kArea.bottom + 46, "end", "seconds of a grading");
+  chart.text("tick", 8, 14, "", "margin, points (rings: answers were misjudged)");
+  return chart.svg("plot", 1040, 380,
+                   trade.part + ", margin in points against seconds of a grading");
+}
 
 json toJson(const Trade& trade) {
   json rows = json::array(), measures = json::array();

@@ -15,7 +15,8 @@ namespace ggrade::check {
 namespace fs = std::filesystem;
 using gg::say;
 using gg::words;
-using report::Data;
+using nlohmann::json;
+using report::sanitizeLine;
 
 namespace {
 
@@ -81,13 +82,10 @@ std::string uriOf(const Image& image) {
   return report::pngDataUri(shown);
 }
 
-Data pictureOf(const std::string& caption, const Image& image) {
-  Data picture;
-  picture["caption"] = report::line(caption);
-  const std::string uri = uriOf(image);
-  picture["uri"] = uri.empty() ? Data(false) : Data(uri);
-  picture["none"] = report::line(words("there is no such picture"));
-  return picture;
+json pictureOf(const std::string& caption, const Image& image) {
+  return {{"caption", sanitizeLine(caption)},
+          {"uri", uriOf(image)},
+          {"none", words("there is no such picture")}};
 }
 
 std::string headline(const Looked& looked) {
@@ -131,40 +129,16 @@ std::string outcomeOf(const Checked& checked) {
              : checked.happened.detail;
 }
 
-Data partOf(const Looked& looked) {
+json partOf(const Looked& looked) {
   const Checked& checked = looked.checked;
-  Data part;
-  part["title"] = report::line(words(looked.part->title));
-  part["headline"] = report::line(headline(looked));
-  Data rows = report::makeList();
-  for (const Row& row : checked.rows) {
-    Data one;
-    one["id"] = report::line(row.todo);
-    one["title"] = report::line(words(todoOf(*looked.part, row.todo).title));
-    one["state"] = report::line(nameOf(row.state));
-    one["class"] = Data(std::string(kClasses[int(row.state)]));
-    one["note"] = report::line(noteOf(checked, row));
-    rows.push_back(std::move(one));
-  }
-  part["rows"] = std::move(rows);
-  part["outcome"] = report::line(outcomeOf(checked));
-  part["cause"] = report::line(checked.cause);
-  part["hint"] = report::text(checked.hint);
-  part["step"] = report::line(stepToRead(looked));
-  part["wrongPlace"] = report::line(checked.firstWrong ? placeOf(looked) : "");
-  Data messages = report::makeList();
-  for (const std::string& message : checked.messages) {
-    Data one;
-    one["text"] = report::line(message);
-    messages.push_back(std::move(one));
-  }
-  part["messages"] = std::move(messages);
-  part["hasMessages"] = Data(!checked.messages.empty());
-  part["compiler"] = report::text(checked.happened.outcome == report::Outcome::buildFailed ||
-                                          checked.happened.outcome == report::Outcome::shaderError
-                                      ? checked.happened.output
-                                      : std::string());
-  Data pictures = report::makeList();
+  const report::Outcome outcome = checked.happened.outcome;
+  json rows = json::array(), pictures = json::array(), wrong = json::array();
+  for (const Row& row : checked.rows)
+    rows.push_back({{"id", sanitizeLine(row.todo)},
+                    {"title", sanitizeLine(words(todoOf(*looked.part, row.todo).title))},
+                    {"state", nameOf(row.state)},
+                    {"class", kClasses[int(row.state)]},
+                    {"note", sanitizeLine(noteOf(checked, row))}});
   if (!checked.window.empty() || checked.happened.ok()) {
     const std::string scene = sceneOf(looked, checked.scene);
     const auto add = [&](const std::string& caption, const Image& image) {
@@ -175,22 +149,32 @@ Data partOf(const Looked& looked) {
     add(say("to expect now"), checked.expectedWindow);
     add(say("with all steps done"), checked.finishedWindow);
   }
-  part["pictures"] = std::move(pictures);
-  Data wrong = report::makeList();
-  if (checked.firstWrong) {
-    wrong.push_back(
-        pictureOf(say("yours: {}", checked.firstWrong->name), checked.firstWrong->ours));
+  if (const auto& first = checked.firstWrong) {
+    wrong.push_back(pictureOf(say("yours: {}", first->name), first->ours));
     wrong.push_back(pictureOf(hasWrong(checked) ? say("as it should be now")
                                                 : say("the reference's after this step"),
-                              checked.firstWrong->expected));
+                              first->expected));
   }
-  part["wrong"] = std::move(wrong);
-  part["hasWrong"] = Data(checked.firstWrong.has_value());
-  part["wordCause"] = report::line(words("Likely cause"));
-  part["wordRead"] = report::line(hasWrong(checked) ? words("Read again") : words("Next"));
-  part["wordFirstWrong"] = report::line(differs(checked));
-  part["wordMessages"] = report::line(words("What the program and OpenGL said"));
-  return part;
+  const bool hasOutput =
+      outcome == report::Outcome::buildFailed || outcome == report::Outcome::shaderError;
+  return {{"title", sanitizeLine(words(looked.part->title))},
+          {"headline", headline(looked)},
+          {"rows", std::move(rows)},
+          {"outcome", sanitizeLine(outcomeOf(checked))},
+          {"cause", sanitizeLine(checked.cause)},
+          {"hint", checked.hint},
+          {"step", sanitizeLine(stepToRead(looked))},
+          {"wrongPlace", checked.firstWrong ? sanitizeLine(placeOf(looked)) : ""},
+          {"messages", report::linesOf(checked.messages)},
+          {"hasMessages", !checked.messages.empty()},
+          {"compiler", hasOutput ? checked.happened.output : ""},
+          {"pictures", std::move(pictures)},
+          {"wrong", std::move(wrong)},
+          {"hasWrong", checked.firstWrong.has_value()},
+          {"wordCause", words("Likely cause")},
+          {"wordRead", hasWrong(checked) ? words("Read again") : words("Next")},
+          {"wordFirstWrong", differs(checked)},
+          {"wordMessages", words("What the program and OpenGL said")}};
 }
 
 std::string paint(const std::string& text, const char* code, bool colour) {
@@ -238,19 +222,18 @@ std::string stepToRead(const Looked& looked) {
 }
 
 std::string page(const std::string& title, const std::vector<Looked>& all, bool watched) {
-  Data data;
-  data["title"] = report::line(title);
-  report::addLanguage(data);
-  data["watched"] = Data(watched);
-  data["watchWords"] = report::line(words("This page follows every save."));
-  data["footer"] = report::line(words(
-      "Compared with the public scene, the handout's and a few others: the grader draws more."));
-  Data parts = report::makeList();
+  json parts = json::array();
   for (const Looked& looked : all) parts.push_back(partOf(looked));
-  data["parts"] = std::move(parts);
-  return report::renderPage({report::templates::k_check_mustache, report::templates::k_check_js,
-                             report::templates::k_check_js_sha256, report::templates::k_check_css},
-                            std::move(data), title);
+  return report::renderPage(
+      {report::templates::k_check_mustache, report::templates::k_check_js,
+       report::templates::k_check_js_sha256, report::templates::k_check_css, true},
+      {{"title", sanitizeLine(title)},
+       {"watched", watched},
+       {"watchWords", words("This page follows every save.")},
+       {"footer", words("Compared with the public scene, the handout's and a few others: the "
+                        "grader draws more.")},
+       {"parts", std::move(parts)}},
+      title);
 }
 
 std::string table(const std::vector<Looked>& all, bool colour) {
@@ -283,22 +266,22 @@ std::string table(const std::vector<Looked>& all, bool colour) {
   return out;
 }
 
-nlohmann::json toJson(const std::vector<Looked>& all) {
-  nlohmann::json parts = nlohmann::json::array();
+json toJson(const std::vector<Looked>& all) {
+  json parts = json::array();
   static const char* const kNames[] = {"not_begun", "done", "wrong", "waits", "nearly", "differs"};
   for (const Looked& looked : all) {
     const Checked& checked = looked.checked;
-    nlohmann::json rows = nlohmann::json::array();
+    json rows = json::array();
     for (const Row& row : checked.rows)
       rows.push_back({{"id", row.todo}, {"state", kNames[int(row.state)]}, {"seen", row.seen}});
-    nlohmann::json part = {{"part", looked.part->id},
-                           {"outcome", report::name(checked.happened.outcome)},
-                           {"detail", checked.happened.detail},
-                           {"todos", rows},
-                           {"cause", checked.cause},
-                           {"hint", checked.hint},
-                           {"messages", checked.messages},
-                           {"seconds", checked.seconds}};
+    json part = {{"part", looked.part->id},
+                 {"outcome", report::name(checked.happened.outcome)},
+                 {"detail", checked.happened.detail},
+                 {"todos", rows},
+                 {"cause", checked.cause},
+                 {"hint", checked.hint},
+                 {"messages", checked.messages},
+                 {"seconds", checked.seconds}};
     if (checked.firstWrong)
       part["first_wrong"] = {{"picture", checked.firstWrong->name},
                              {"scene", looked.expected->scenes[checked.firstWrong->scene].name},

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Recorded state in words.
+/// Recorded state in words, and what is worth a second look in a frame.
 
+#include "report/inspect.hpp"
 #include "report/inspect_graph.hpp"
 
 #include <string>
@@ -47,5 +48,19 @@ std::string samplerWords(const trace::SampleRecord& sample);
 
 /// "pass 1's depth".
 std::string readWords(const FrameGraph& graph, const PassRead& read);
+
+/// What is worth a second look. Only facts that the records show; whether it is a mistake is for
+/// the reader to say.
+struct Note {
+  /// Breaks drawing for certain; may well be a mistake; mostly is meant.
+  enum class Kind { wrong, odd, fact };
+  Kind kind = Kind::odd;
+  std::string text; ///< names of uniforms are the program's own: escape it
+};
+
+/// Of the frame as a whole: framebuffer left bound, sRGB on the window, what was lost to limits.
+std::vector<Note> frameNotes(const InspectedFrame& frame);
+/// Of one pass, from its records alone (what its pixels show: inspect_pixels.hpp).
+std::vector<Note> passNotes(const FrameGraph& graph, std::uint32_t pass);
 
 } // namespace ggrade::report

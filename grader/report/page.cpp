@@ -5,14 +5,49 @@
 #include "report/text.hpp"
 #include "words/words.hpp"
 
+#include <kainjow/mustache.hpp>
+
+#include <algorithm>
 #include <stdexcept>
-#include <vector>
 
 namespace ggrade::report {
+
+using nlohmann::json;
+
 namespace {
 
-Data orFalse(std::string clean) {
-  return clean.empty() ? Data(false) : Data(clean);
+using kainjow::mustache::data;
+
+// Takes what it is given apart: pictures are most of a page and needn't be held twice.
+data mustacheOf(json value) {
+  switch (value.type()) {
+  case json::value_t::object: {
+    data object;
+    for (auto& [name, entry] : value.items()) object[name] = mustacheOf(std::move(entry));
+    return object;
+  }
+  case json::value_t::array: {
+    data list(data::type::list);
+    for (std::size_t i = 0; i < value.size(); ++i) list.push_back(false);
+    // In place: pushed, an entry would be copied with all that is in it, at every depth again.
+    for (std::size_t i = 0; i < value.size(); ++i)
+      const_cast<data&>(list.list_value()[i]) = mustacheOf(std::move(value[i]));
+    return list;
+  }
+  case json::value_t::string: {
+    const std::string clean = sanitize(value.get_ref<const std::string&>());
+    return clean.empty() ? data(false) : data(clean);
+  }
+  case json::value_t::number_float:
+    return number(value.get<double>());
+  case json::value_t::number_integer:
+  case json::value_t::number_unsigned:
+    return value.dump();
+  case json::value_t::boolean:
+    return value.get<bool>();
+  default:
+    return false;
+  }
 }
 
 // The Content-Security-Policy admits this one script by its hash: markup that slipped through as
@@ -27,35 +62,51 @@ std::string scriptHash(std::string_view sha256) {
 
 } // namespace
 
-Data line(std::string_view text) {
-  return orFalse(sanitizeLine(text));
-}
-
-Data text(std::string_view text) {
-  return orFalse(sanitize(text));
-}
-
-void addLanguage(Data& page) {
-  page["lang"] = Data(std::string(gg::name(gg::language())));
-  page["say"] = Data(kainjow::mustache::lambda(
-      [](const std::string& english) { return std::string(gg::words(english)); }));
-}
-
-std::string renderPage(const PageKind& kind, Data data, std::string_view title) {
-  data["head"] = Data(std::string(templates::k_head_mustache));
-  data["style"] = Data(std::string(templates::k_style_css) + std::string(kind.style));
-  data["script"] = Data(std::string(kind.script));
-  data["scriptHash"] = Data(scriptHash(kind.scriptSha256));
-  data["pageTitle"] = line(title);
-  kainjow::mustache::mustache page{std::string(kind.body)};
-  std::string html = page.render(data);
-  if (!page.is_valid()) throw std::logic_error("page template: " + page.error_message());
+std::string renderPage(const PageKind& kind, json data, std::string_view title) {
+  auto page = mustacheOf(std::move(data));
+  page["head"] = std::string(templates::k_head_mustache);
+  page["style"] = std::string(templates::k_style_css) + std::string(kind.style);
+  page["script"] = std::string(kind.script);
+  page["scriptHash"] = scriptHash(kind.scriptSha256);
+  page["pageTitle"] = sanitizeLine(title);
+  if (kind.translated) {
+    page["lang"] = std::string(gg::name(gg::language()));
+    page["say"] = kainjow::mustache::lambda(
+        [](const std::string& english) { return std::string(gg::words(english)); });
+  }
+  kainjow::mustache::mustache mustache{std::string(kind.body)};
+  std::string html = mustache.render(page);
+  if (!mustache.is_valid()) throw std::logic_error("page template: " + mustache.error_message());
   return html;
 }
 
-std::string renderPage(std::string_view body, Data data, std::string_view title) {
-  return renderPage({body, templates::k_page_js, templates::k_page_js_sha256, ""}, std::move(data),
-                    title);
+json linesOf(const std::vector<std::string>& lines) {
+  json list = json::array();
+  for (const std::string& line : lines) list.push_back(sanitizeLine(line));
+  return list;
+}
+
+json tallyOf(std::span<const Summary> results) {
+  struct Entry {
+    std::string word, state;
+    std::size_t count = 0;
+  };
+  std::vector<Entry> entries = {{"complete", "full"}, {"lost points", "part"}};
+  for (const Summary& summary : results) {
+    const std::string word = summary.perfect           ? "complete"
+                             : scored(summary.outcome) ? "lost points"
+                                                       : std::string(name(summary.outcome));
+    auto entry = std::ranges::find(entries, word, &Entry::word);
+    if (entry == entries.end())
+      entry = entries.insert(entry, {word, std::string(stateOf(summary))});
+    ++entry->count;
+  }
+  json tally = json::array();
+  for (const Entry& entry : entries)
+    if (entry.count > 0)
+      tally.push_back(
+          {{"word", words(entry.word)}, {"state", entry.state}, {"count", entry.count}});
+  return tally;
 }
 
 } // namespace ggrade::report

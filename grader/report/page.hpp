@@ -1,28 +1,17 @@
 #pragma once
 /// \file
-/// What every HTML page shares: the head, the style, the script, and how text gets into a template.
+/// What every HTML page shares: the head, the style, the script, and how JSON gets into a template.
 
-#include <kainjow/mustache.hpp>
+#include "report/summary.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace ggrade::report {
-
-using Data = kainjow::mustache::data;
-
-inline Data makeList() {
-  return Data(Data::type::list);
-}
-
-/// Untrusted text for `{{name}}`: sanitized here, escaped by the template. False when empty, so
-/// that
-/// `{{#name}}` asks whether there is any (to mustache an empty string is true).
-Data line(std::string_view text);
-Data text(std::string_view text);
-
-/// Lets a page that students read say its texts in the chosen language: `{{#say}}English{{/say}}`.
-void addLanguage(Data& page);
 
 /// What makes one kind of page differ from the others.
 struct PageKind {
@@ -30,15 +19,25 @@ struct PageKind {
   std::string_view script;       ///< its one script
   std::string_view scriptSha256; ///< of the script, 64 hexadecimal digits
   std::string_view style;        ///< after the sheet that all pages share; may be empty
+  /// Says its texts in the chosen language: `{{#say}}English{{/say}}`. Others are English.
+  bool translated = false;
 };
 
-/// Renders `kind.body` with `data`, adding the head, the styles and the script.
+/// Renders `kind.body`, a Mustache template, with the object `data`, adding the head, the styles
+/// and the script. `{{name}}` is escaped, `{{{name}}}` is not; both are sanitized (see text.hpp).
+/// An empty string is false, so that `{{#name}}` asks whether there is any text; a number is text
+/// as `number` writes it, and never false. A name that an inner object lacks is looked up outside
+/// it, so every entry of a list has all of its names.
+///
+///     renderPage(kPage, {{"who", name}, {"rows", {{{"id", 1}}, {{"id", 2}}}}}, "Two rows");
+///
 /// \throws std::logic_error if the template doesn't parse.
-std::string renderPage(const PageKind& kind, Data data, std::string_view title);
+std::string renderPage(const PageKind& kind, nlohmann::json data, std::string_view title);
 
-/// Renders `body` (a file of templates/) with `data`, adding the head, the style and the script.
-/// A name that an inner context lacks is looked up outside it, so every list entry sets all of its
-/// names. \throws std::logic_error if the template doesn't parse.
-std::string renderPage(std::string_view body, Data data, std::string_view title);
+/// Each on one line, for `{{#lines}}{{.}}{{/lines}}`.
+nlohmann::json linesOf(const std::vector<std::string>& lines);
+
+/// "2 complete", "3 lost points", "1 crash": what one wants to know of a class at once.
+nlohmann::json tallyOf(std::span<const Summary> results);
 
 } // namespace ggrade::report

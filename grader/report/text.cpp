@@ -38,6 +38,10 @@ bool isBidiControl(std::uint32_t c) {
          (c >= 0x2066 && c <= 0x2069);
 }
 
+bool isPlain(char c) {
+  return (c >= 0x20 && c < 0x7F) || c == '\t' || c == '\n';
+}
+
 bool isPrintable(std::uint32_t c) {
   if (c == '\t' || c == '\n') return true;
   if (c < 0x20 || (c >= 0x7F && c < 0xA0)) return false;
@@ -88,6 +92,8 @@ std::size_t validUtf8(std::string_view text) {
 }
 
 std::string sanitize(std::string_view text) {
+  // Most text, and every picture in a page, is fine as it is.
+  if (std::ranges::all_of(text, isPlain)) return std::string(text);
   std::string clean;
   clean.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {

@@ -1,18 +1,17 @@
 #include "tradeoff/page.hpp"
 
-#include "report/page_parts.hpp"
+#include "report/page.hpp"
 #include "report/picture.hpp"
 #include "report/templates.hpp"
+#include "report/text.hpp"
 #include "tradeoff/chart.hpp"
 
 #include <fmt/format.h>
 
 namespace ggrade::tradeoff {
 
-using report::Data;
-using report::line;
-using report::makeList;
-using report::optional;
+using report::pngDataUri;
+using report::sanitizeLine;
 
 namespace {
 
@@ -20,148 +19,131 @@ std::string megabytes(std::uint64_t bytes) {
   return fmt::format("{:.1f} MiB", double(bytes) / (1 << 20));
 }
 
-/// The figures and the pictures of a point; `number` is its place on the front.
-Data pointOf(const Point& point, const std::string& number) {
-  Data data, others = makeList();
-  data["number"] = line(number);
-  data["setting"] = line(settingText(point.setting));
-  data["ms"] = Data(msText(point.ms.median));
-  data["spread"] = Data(fmt::format("{} to {}", msText(point.ms.q1), msText(point.ms.q3)));
-  data["error"] = Data(errorText(point.error()));
-  for (std::size_t i = 1; i < point.errors.size(); ++i) {
-    Data other;
-    other["otherName"] = line(point.errors[i].name);
-    other["otherValue"] = Data(errorText(point.errors[i].value));
-    others << other;
-  }
-  data["others"] = std::move(others);
-  data["rendered"] = optional(report::pngDataUri(point.rendered));
-  data["difference"] = optional(report::pngDataUri(point.difference));
-  data["paste"] = optional(pasteOf(point.setting).dump());
+/// The figures and the pictures of a point.
+json pointOf(const Point& point) {
+  json others = json::array();
+  for (std::size_t i = 1; i < point.errors.size(); ++i)
+    others.push_back({{"otherName", sanitizeLine(point.errors[i].name)},
+                      {"otherValue", errorText(point.errors[i].value)}});
+  return {{"setting", sanitizeLine(settingText(point.setting))},
+          {"ms", msText(point.ms.median)},
+          {"spread", fmt::format("{} to {}", msText(point.ms.q1), msText(point.ms.q3))},
+          {"error", errorText(point.error())},
+          {"others", std::move(others)},
+          {"rendered", pngDataUri(point.rendered)},
+          {"difference", pngDataUri(point.difference)},
+          {"paste", pasteOf(point.setting).dump()}};
+}
+
+json namedOf(const Point& point, const std::string& name, const std::string& rule) {
+  json data = pointOf(point);
+  data["name"] = sanitizeLine(name);
+  data["rule"] = sanitizeLine(rule);
+  data["found"] = true;
   return data;
 }
 
-Data namedOf(const Point& point, const std::string& name, const std::string& rule) {
-  Data data = pointOf(point, "");
-  data["name"] = line(name);
-  data["rule"] = line(rule);
-  data["found"] = Data(true);
-  return data;
+json curveOf(const Measured& measured, const Curve& curve) {
+  return {{"curveName", sanitizeLine(curve.number.name)},
+          {"fall", curve.fall},
+          {"exponent", curve.growth
+                           ? fmt::format("Its cost grows with the power {:.2f} of the number; the "
+                                         "fit is within {:.0f}%.",
+                                         curve.growth->exponent, 100 * curve.growth->deviation)
+                           : ""},
+          {"errorCurve", curveChart(measured, curve, false)},
+          {"timeCurve", curveChart(measured, curve, true)}};
 }
 
-Data curveOf(const Measured& measured, const Curve& curve) {
-  Data data;
-  data["curveName"] = line(curve.number.name);
-  data["fall"] = optional(curve.fall);
-  data["exponent"] =
-      curve.growth ? line(fmt::format("Its cost grows with the power {:.2f} of the number; the fit "
-                                      "is within {:.0f}%.",
-                                      curve.growth->exponent, 100 * curve.growth->deviation))
-                   : Data(false);
-  data["errorCurve"] = Data(curveChart(measured, curve, false));
-  data["timeCurve"] = Data(curveChart(measured, curve, true));
-  return data;
-}
-
-Data sweepOf(const Measured& measured, const Findings& findings) {
+json sweepOf(const Measured& measured, const Findings& findings) {
   const Sweep& sweep = measured.sweep;
-  Data data, front = makeList(), presets = makeList(), advice = makeList(), curves = makeList();
-  data["sweepId"] = Data(sweep.part + '-' + sweep.name);
-  data["part"] = line(sweep.part);
-  data["sweepName"] = line(sweep.name);
-  data["about"] = line(sweep.about);
-  data["errorName"] = line(measured.points.at(0).errors.at(0).name);
-  data["count"] = Data(std::to_string(measured.points.size()));
-  data["offMs"] = Data(msText(measured.offMs.median));
-  const auto size = sweep.scene.at("size");
-  data["size"] = Data(fmt::format("{}x{}", size[0].dump(), size[1].dump()));
-  data["truthPicture"] = optional(report::pngDataUri(measured.truth));
-  data["chart"] = Data(frontChart(measured, findings, Labels::places));
-  for (std::size_t i = 0; i < findings.front.size(); ++i)
-    front << pointOf(measured.points[findings.front[i]], std::to_string(i + 1));
-  for (const Preset& preset : findings.presets)
-    presets << namedOf(measured.points[preset.point], preset.name, preset.rule);
-  for (const Advice& answer : findings.advice) {
-    if (answer.point) {
-      advice << namedOf(measured.points[*answer.point], answer.wish, "");
-      continue;
-    }
-    Data none;
-    none["name"] = line(answer.wish);
-    none["found"] = Data(false);
-    advice << none;
+  const std::vector<Point>& points = measured.points;
+  json front = json::array(), presets = json::array(), advice = json::array(),
+       curves = json::array();
+  for (const std::size_t index : findings.front) {
+    json point = pointOf(points[index]);
+    point["number"] = front.size() + 1;
+    front.push_back(std::move(point));
   }
-  for (const Curve& curve : findings.curves) curves << curveOf(measured, curve);
-  data["front"] = std::move(front);
-  data["presets"] = std::move(presets);
-  data["hasAdvice"] = Data(!findings.advice.empty());
-  data["advice"] = std::move(advice);
-  data["curves"] = std::move(curves);
-  return data;
+  for (const Preset& preset : findings.presets)
+    presets.push_back(namedOf(points[preset.point], preset.name, preset.rule));
+  for (const Advice& answer : findings.advice)
+    advice.push_back(answer.point ? namedOf(points[*answer.point], answer.wish, "")
+                                  : json{{"name", sanitizeLine(answer.wish)}, {"found", false}});
+  for (const Curve& curve : findings.curves) curves.push_back(curveOf(measured, curve));
+  const auto size = sweep.scene.at("size");
+  return {{"sweepId", sweep.part + '-' + sweep.name},
+          {"part", sanitizeLine(sweep.part)},
+          {"sweepName", sanitizeLine(sweep.name)},
+          {"about", sanitizeLine(sweep.about)},
+          {"errorName", sanitizeLine(points.at(0).errors.at(0).name)},
+          {"count", points.size()},
+          {"offMs", msText(measured.offMs.median)},
+          {"size", fmt::format("{}x{}", size[0].dump(), size[1].dump())},
+          {"truthPicture", pngDataUri(measured.truth)},
+          {"chart", frontChart(measured, findings, Labels::places)},
+          {"front", std::move(front)},
+          {"presets", std::move(presets)},
+          {"hasAdvice", !findings.advice.empty()},
+          {"advice", std::move(advice)},
+          {"curves", std::move(curves)}};
 }
 
-Data growthOf(const GrowthRow& row) {
-  Data data;
+json growthOf(const GrowthRow& row) {
   std::string costs;
   for (std::size_t i = 0; i < row.values.size(); ++i)
     costs +=
         fmt::format("{}{:.0f}: {}", i == 0 ? "" : ", ", row.values[i], msText(row.ms[i].median));
-  data["growthPart"] = line(row.part);
-  data["series"] = line(row.series);
-  data["costs"] = line(costs);
-  data["power"] = row.growth ? Data(fmt::format("{:.2f}", row.growth->exponent)) : Data("–");
-  data["deviation"] =
-      row.growth ? Data(fmt::format("{:.0f}%", 100 * row.growth->deviation)) : Data("–");
-  return data;
+  return {{"growthPart", sanitizeLine(row.part)},
+          {"series", sanitizeLine(row.series)},
+          {"costs", sanitizeLine(costs)},
+          {"power", row.growth ? fmt::format("{:.2f}", row.growth->exponent) : "–"},
+          {"deviation", row.growth ? fmt::format("{:.0f}%", 100 * row.growth->deviation) : "–"}};
 }
 
-Data savedOf(const SavedRow& row) {
-  Data data;
-  data["savedName"] = line(row.name);
-  data["passes"] = Data(fmt::format("{} of {}", row.needed.passes, row.against.passes));
-  data["memory"] =
-      Data(fmt::format("{} of {}", megabytes(row.needed.bytes), megabytes(row.against.bytes)));
-  data["frame"] =
-      Data(fmt::format("{} of {}", msText(row.needed.ms.median), msText(row.against.ms.median)));
-  return data;
+json savedOf(const SavedRow& row) {
+  const auto &needed = row.needed, &against = row.against;
+  return {{"savedName", sanitizeLine(row.name)},
+          {"passes", fmt::format("{} of {}", needed.passes, against.passes)},
+          {"memory", fmt::format("{} of {}", megabytes(needed.bytes), megabytes(against.bytes))},
+          {"frame", fmt::format("{} of {}", msText(needed.ms.median), msText(against.ms.median))}};
 }
 
-Data assignmentOf(const PageAssignment& assignment) {
-  Data data, sweeps = makeList(), growth = makeList(), saved = makeList();
+json assignmentOf(const PageAssignment& assignment) {
+  json sweeps = json::array(), growth = json::array(), saved = json::array();
   for (std::size_t i = 0; i < assignment.measured.size(); ++i)
-    sweeps << sweepOf(assignment.measured[i], assignment.findings[i]);
-  for (const GrowthRow& row : assignment.growth) growth << growthOf(row);
-  for (const SavedRow& row : assignment.saved) saved << savedOf(row);
+    sweeps.push_back(sweepOf(assignment.measured[i], assignment.findings[i]));
+  for (const GrowthRow& row : assignment.growth) growth.push_back(growthOf(row));
+  for (const SavedRow& row : assignment.saved) saved.push_back(savedOf(row));
   std::string machine;
   for (const auto& [name, value] : assignment.machine)
     machine += fmt::format("{}{} {}", machine.empty() ? "" : ", ", name, value);
-  data["assignmentTitle"] = line(assignment.title);
-  data["assignmentId"] = line(assignment.id);
-  data["incomplete"] = Data(!assignment.complete);
-  data["sweeps"] = std::move(sweeps);
-  data["hasGrowth"] = Data(!assignment.growth.empty());
-  data["growth"] = std::move(growth);
-  data["hasSaved"] = Data(!assignment.saved.empty());
-  data["saved"] = std::move(saved);
-  data["machine"] = line(machine);
-  data["effort"] = Data(
-      fmt::format("{} rounds of {} frames", assignment.effort.rounds, assignment.effort.frames));
-  return data;
+  const Effort& effort = assignment.effort;
+  return {{"assignmentTitle", sanitizeLine(assignment.title)},
+          {"assignmentId", sanitizeLine(assignment.id)},
+          {"incomplete", !assignment.complete},
+          {"sweeps", std::move(sweeps)},
+          {"hasGrowth", !growth.empty()},
+          {"growth", std::move(growth)},
+          {"hasSaved", !saved.empty()},
+          {"saved", std::move(saved)},
+          {"machine", sanitizeLine(machine)},
+          {"effort", fmt::format("{} rounds of {} frames", effort.rounds, effort.frames)}};
 }
 
 } // namespace
 
 std::string tradeoffPage(const std::vector<PageAssignment>& assignments) {
-  Data data, list = makeList();
-  for (const PageAssignment& assignment : assignments) list << assignmentOf(assignment);
-  data["assignments"] = std::move(list);
-  data["warmUp"] = Data(std::to_string(kWarmUp));
-  data["nearlyShare"] = Data(fmt::format("{:.0f}%", 100 * kNearlyShare));
-  data["nearlyAbsolute"] = Data(fmt::format("{:g}", kNearlyAbsolute));
+  json list = json::array();
+  for (const PageAssignment& assignment : assignments) list.push_back(assignmentOf(assignment));
   return report::renderPage({report::templates::k_tradeoff_mustache, report::templates::k_page_js,
                              report::templates::k_page_js_sha256,
                              report::templates::k_tradeoff_css},
-                            data, "Time against error");
+                            {{"assignments", std::move(list)},
+                             {"warmUp", kWarmUp},
+                             {"nearlyShare", fmt::format("{:.0f}%", 100 * kNearlyShare)},
+                             {"nearlyAbsolute", fmt::format("{:g}", kNearlyAbsolute)}},
+                            "Time against error");
 }
 
 } // namespace ggrade::tradeoff

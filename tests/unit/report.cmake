@@ -7,6 +7,7 @@ ggrade_test(report_unit_test unit
           ${CMAKE_CURRENT_LIST_DIR}/report_junit_test.cpp
           ${CMAKE_CURRENT_LIST_DIR}/report_reveal_test.cpp
           ${CMAKE_CURRENT_LIST_DIR}/report_html_test.cpp
+          ${CMAKE_CURRENT_LIST_DIR}/report_page_test.cpp
           ${CMAKE_CURRENT_LIST_DIR}/report_class_samples.cpp
           ${CMAKE_CURRENT_LIST_DIR}/report_class_figures_test.cpp
           ${CMAKE_CURRENT_LIST_DIR}/report_class_test.cpp

@@ -2,7 +2,6 @@
 #include "in_japanese.hpp"
 #include "report/inspect.hpp"
 #include "report/inspect_graph.hpp"
-#include "report/inspect_notes.hpp"
 #include "report/inspect_pixels.hpp"
 #include "report/inspect_words.hpp"
 #include "report_inspect_samples.hpp"
