@@ -4,7 +4,6 @@
 #include "grading/grade.hpp"
 #include "grading/patched.hpp"
 #include "grading/workspace.hpp"
-#include "report/html.hpp"
 #include "report/reports.hpp"
 #include "report/terminal.hpp"
 #include "report/write_file.hpp"

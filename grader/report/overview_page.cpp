@@ -1,4 +1,4 @@
-#include "report/html.hpp"
+#include "report/reports.hpp"
 
 #include "report/page.hpp"
 #include "report/picture.hpp"

@@ -1,6 +1,5 @@
 #include "tradeoff/adopted.hpp"
 
-#include "tradeoff/chart.hpp"
 #include "words/words.hpp"
 
 #include <fmt/format.h>

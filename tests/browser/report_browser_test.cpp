@@ -1,7 +1,7 @@
 // The pages in a real browser, opened from file:// without a network.
 #include "../unit/report_samples.hpp"
 #include "browser.hpp"
-#include "report/html.hpp"
+#include "report/reports.hpp"
 
 #include <array>
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 #include "report/class_page.hpp"
-#include "report/html.hpp"
+#include "report/reports.hpp"
 #include "report_class_samples.hpp"
 #include "report_samples.hpp"
 

@@ -1,6 +1,6 @@
 #include "in_japanese.hpp"
-#include "report/html.hpp"
 #include "report/picture.hpp"
+#include "report/reports.hpp"
 #include "report_samples.hpp"
 
 #include "image/png.hpp"

@@ -1,4 +1,4 @@
-#include "report/junit.hpp"
+#include "report/reports.hpp"
 #include "report/write_file.hpp"
 #include "report_samples.hpp"
 

@@ -1,5 +1,5 @@
-#include "report/html.hpp"
 #include "report/picture.hpp"
+#include "report/reports.hpp"
 #include "report/results_json.hpp"
 #include "report_samples.hpp"
 

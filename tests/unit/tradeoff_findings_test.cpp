@@ -1,6 +1,5 @@
 #include "report/picture.hpp"
 #include "tradeoff/adopted.hpp"
-#include "tradeoff/chart.hpp"
 #include "tradeoff/page.hpp"
 
 #include <gmock/gmock.h>
@@ -180,7 +179,8 @@ TEST(TradeoffAdopted, IsATableInTheHandout) {
                         "A scene. 480 x 360 pixels; without this part a frame takes 3.00 ms.\n\n"
                         "| preset | time of this part | RMSE, edges left out | setting |\n"
                         "| --- | ---: | ---: | --- |\n"));
-  EXPECT_THAT(text, HasSubstr("| accurate, reference | 16.1 ms | 0.39% | `clip` 1, `size` 256 |\n"));
+  EXPECT_THAT(text,
+              HasSubstr("| accurate, reference | 16.1 ms | 0.39% | `clip` 1, `size` 256 |\n"));
   EXPECT_THAT(text, HasSubstr("(handout/tradeoff-mirror-sharp.svg)\n"));
   EXPECT_THAT(text, HasSubstr("(handout/tradeoff-mirror-blurred.svg)\n"));
   EXPECT_THAT(text, HasSubstr("- The error falls with size: from 1.6% at 64 to 0.39% at 256. Its "
