@@ -12,6 +12,9 @@
 //   base      (optional) "stub": the handed-out files instead of the solution's
 //   make      (optional) what git cannot hold: links, pipes, devices, folders, large files
 //   name      (optional) of the folder that is handed in
+//   alone     (optional) why it is graded by itself, with `ggrade grade`
+//
+// All others for part mirror are graded as one class, beside honest submissions.
 //
 // What it hands in is the base with attack.patch applied and the files of upload/ over it.
 // attack.hpp and attack_channel.hpp come with it if it includes them. Nothing that an attack prints
@@ -28,6 +31,7 @@
 #include <map>
 #include <random>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -279,45 +283,146 @@ void expectClean(const std::string& page, const json& attack, const std::string&
         << name << " holds " << payload << " as it is";
 }
 
-class HostileSubmission : public testing::TestWithParam<std::string> {};
+/// The attack.json of a folder.
+json attackOf(const std::string& name) {
+  return json::parse(read(kAttacks / name / "attack.json"));
+}
 
-TEST_P(HostileSubmission, Fails) {
-  const json attack = json::parse(read(kAttacks / GetParam() / "attack.json"));
-  for (const char* key : {"harm", "proof"}) EXPECT_FALSE(attack.at(key).get<std::string>().empty());
-  const std::string secret = canary();
-  const Surroundings around(secret);
-  const fs::path upload = around.uploads() / attack.value("name", "student1");
-  if (!handIn(GetParam(), attack, upload, around)) GTEST_SKIP() << "only root can hand this in";
-  const auto before = around.state();
+bool isInClass(const json& attack) {
+  return attack.at("part") == "mirror" && !attack.contains("alone");
+}
 
+/// A run of the tool, and what was found after it.
+struct Run {
+  Ended ended;
+  std::vector<std::string> leftOver;
+  std::map<std::string, std::size_t> before, after; ///< see Surroundings::state
+};
+
+Run runAmid(const Surroundings& around, const Arguments& arguments, const std::string& secret,
+            double seconds) {
+  Run run;
+  run.before = around.state();
   // Orphans of the tool become our children.
-  ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
-  const Ended ended =
-      runTool({"grade", attack.at("part"), upload, "--no-diagnosis", "--out", around.out()},
-              {{"GGRADE_CANARY", secret}}, 250);
-  std::cout << ended.out << ended.errors;
-  EXPECT_EQ(ended.exitCode, 0) << "graded, whatever the score";
-  EXPECT_THAT(leftOver(), IsEmpty());
-  EXPECT_EQ(before, around.state()) << "files of the grader or of others have changed";
-  EXPECT_THAT(ended.out, Not(HasSubstr("\033")));
-  EXPECT_THAT(ended.errors, Not(HasSubstr("\033")));
+  if (prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) throw std::runtime_error("prctl");
+  run.ended = runTool(arguments, {{"GGRADE_CANARY", secret}}, seconds);
+  std::cout << run.ended.out << run.ended.errors;
+  run.leftOver = leftOver();
+  run.after = around.state();
+  return run;
+}
 
-  const std::string results = read(around.out() / "results.json");
+void expectUnharmed(const Run& run) {
+  EXPECT_EQ(run.ended.exitCode, 0) << "graded, whatever the score";
+  EXPECT_THAT(run.leftOver, IsEmpty());
+  EXPECT_EQ(run.before, run.after) << "files of the grader or of others have changed";
+  EXPECT_THAT(run.ended.out, Not(HasSubstr("\033")));
+  EXPECT_THAT(run.ended.errors, Not(HasSubstr("\033")));
+}
+
+/// Is a case of these parameters about to run? `name` as GoogleTest has it, without parameters.
+bool isChosen(const std::string& suite, const std::string& name) {
+  const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+  for (int i = 0; i < all.total_test_suite_count(); ++i)
+    for (int j = 0; j < all.GetTestSuite(i)->total_test_count(); ++j)
+      if (const testing::TestInfo& test = *all.GetTestSuite(i)->GetTestInfo(j);
+          suite == test.test_suite_name() && name == test.name())
+        return test.should_run();
+  throw std::logic_error("there is no case " + suite + "." + name);
+}
+
+/// The attackers' class with its honest students, graded once. Who isn't looked at afterwards isn't
+/// handed in.
+class Class {
+public:
+  static const Class& graded() {
+    static const Class made;
+    return made;
+  }
+
+  /// Names of honest submissions and where they are.
+  const std::map<std::string, fs::path>& honest() const { return honest_; }
+  const Run& run() const { return run_; }
+  const std::string& secret() const { return secret_; }
+  /// The folder with a submission's results.
+  fs::path results(const std::string& name) const { return out() / name; }
+  /// Could it be handed in? Some only by root.
+  bool has(const std::string& attack) const { return handedIn_.contains(attack); }
+
+private:
+  Class() {
+    dark_.replace("tile.frag", "* reflected", "* reflected * 0.3");
+    const bool beside = isChosen("HostileNeighbours", "ChangeNobodysResult");
+    for (const std::string& name : attacks()) {
+      const json attack = attackOf(name);
+      if (!isInClass(attack) || !(beside || isChosen("Attacks/HostileSubmission", "Fails/" + name)))
+        continue;
+      if (handIn(name, attack, uploads() / name, around_))
+        handedIn_.insert(name);
+      else
+        fs::remove_all(uploads() / name);
+    }
+    if (beside)
+      for (const auto& [name, source] : honest_)
+        fs::copy(source, uploads() / name, fs::copy_options::recursive);
+    run_ = runAmid(around_,
+                   {"batch", "mirror", uploads(), "--jobs", "2", "--no-diagnosis", "--out", out()},
+                   secret_, 1000);
+  }
+
+  fs::path uploads() const { return around_.uploads().parent_path() / "class-uploads"; }
+  fs::path out() const { return around_.results().parent_path() / "class"; }
+
+  const std::string secret_ = canary();
+  const Surroundings around_{secret_};
+  tool::Submission dark_ = tool::Submission::solution();
+  const std::map<std::string, fs::path> honest_ = {{"dark", dark_.path()},
+                                                   {"right", kSource / "solutions/floor"},
+                                                   {"stub", kSource / "assignments/floor"}};
+  std::set<std::string> handedIn_;
+  Run run_;
+};
+
+/// What an attack got is what its attack.json says, and nobody reads what they should not.
+void expectHarmless(const json& attack, const fs::path& out, const std::string& secret) {
+  const std::string results = read(out / "results.json");
   expectOutcome(attack, json::parse(results));
-  const std::string index = read(around.out() / "index.html");
-  const std::string student = read(around.out() / "student.html");
-  for (const auto& [page, name] :
-       {std::pair{index, "index.html"}, {read(around.out() / "student.html"), "student.html"}})
+  const std::string index = read(out / "index.html");
+  const std::string student = read(out / "student.html");
+  for (const auto& [page, name] : {std::pair{index, "index.html"}, {student, "student.html"}})
     expectClean(page, attack, secret, name);
   for (const json& withheld : attack.value("student_lacks", json::array()))
     EXPECT_EQ(student.find(withheld.get<std::string>()), student.npos) << withheld;
   for (const char* name : {"results.json", "junit.xml"})
-    EXPECT_EQ(read(around.out() / name).find(secret), std::string::npos) << name;
+    EXPECT_EQ(read(out / name).find(secret), std::string::npos) << name;
   const std::string seen = unescaped(index);
   printAttempts(seen);
   EXPECT_FALSE(anyLine(seen, "attack: .*: succeeded"));
   for (const json& tried : attack.value("tried", json::array()))
     EXPECT_TRUE(anyLine(seen, tried)) << "not tried: " << tried;
+}
+
+class HostileSubmission : public testing::TestWithParam<std::string> {};
+
+TEST_P(HostileSubmission, Fails) {
+  const json attack = attackOf(GetParam());
+  for (const char* key : {"harm", "proof"}) EXPECT_FALSE(attack.at(key).get<std::string>().empty());
+  const char* const rootOnly = "only root can hand this in";
+  if (isInClass(attack)) {
+    const Class& together = Class::graded();
+    if (!together.has(GetParam())) GTEST_SKIP() << rootOnly;
+    expectUnharmed(together.run());
+    expectHarmless(attack, together.results(GetParam()), together.secret());
+    return;
+  }
+  const std::string secret = canary();
+  const Surroundings around(secret);
+  const fs::path upload = around.uploads() / attack.value("name", "student1");
+  if (!handIn(GetParam(), attack, upload, around)) GTEST_SKIP() << rootOnly;
+  expectUnharmed(
+      runAmid(around, {"grade", attack.at("part"), upload, "--no-diagnosis", "--out", around.out()},
+              secret, 250));
+  expectHarmless(attack, around.out(), secret);
 }
 
 /// What a student gets, without times.
@@ -333,36 +438,22 @@ std::map<std::string, std::string> handedBack(const fs::path& folder) {
 }
 
 TEST(HostileNeighbours, ChangeNobodysResult) {
-  const std::string secret = canary();
-  const Surroundings around(secret);
+  const Class& together = Class::graded();
+  expectUnharmed(together.run());
   TemporaryFolder folder;
-  const fs::path alone = folder.path() / "alone", together = folder.path() / "together";
-  tool::Submission dark = tool::Submission::solution();
-  dark.replace("tile.frag", "* reflected", "* reflected * 0.3");
-  const std::map<std::string, fs::path> honest = {{"dark", dark.path()},
-                                                  {"right", kSource / "solutions/floor"},
-                                                  {"stub", kSource / "assignments/floor"}};
-  fs::create_directories(alone);
-  for (const auto& [name, source] : honest)
-    fs::copy(source, alone / name, fs::copy_options::recursive);
-  fs::copy(alone, together, fs::copy_options::recursive);
-  for (const char* name :
-       {"cache_of_rubbish", "channel_noise", "compile_macro", "files_in_memory", "forged_results",
-        "fork_bomb", "judge_kept_busy", "kill_everyone", "memory", "write_everywhere", "zombies"}) {
-    const json attack = json::parse(read(kAttacks / name / "attack.json"));
-    ASSERT_TRUE(handIn(name, attack, together / name, around)) << name;
-  }
-  for (const fs::path& uploads : {alone, together}) {
-    const Ended ended = runTool({"batch", "mirror", uploads, "--jobs", "2", "--no-diagnosis",
-                                 "--out", uploads.string() + "-out"},
-                                {{"GGRADE_CANARY", secret}}, 280);
-    ASSERT_EQ(ended.exitCode, 0) << ended.out << ended.errors;
-  }
-  for (const auto& [name, source] : honest)
-    for (const auto& [file, text] : handedBack(alone.string() + "-out/" + name))
-      EXPECT_TRUE(handedBack(together.string() + "-out/" + name).at(file) == text)
+  const fs::path uploads = folder.path() / "uploads", alone = folder.path() / "alone";
+  fs::create_directories(uploads);
+  for (const auto& [name, source] : together.honest())
+    fs::copy(source, uploads / name, fs::copy_options::recursive);
+  const Ended ended =
+      runTool({"batch", "mirror", uploads, "--jobs", "2", "--no-diagnosis", "--out", alone},
+              {{"GGRADE_CANARY", together.secret()}}, 280);
+  ASSERT_EQ(ended.exitCode, 0) << ended.out << ended.errors;
+  for (const auto& [name, source] : together.honest())
+    for (const auto& [file, text] : handedBack(alone / name))
+      EXPECT_TRUE(handedBack(together.results(name)).at(file) == text)
           << name << '/' << file << " differs";
-  EXPECT_EQ(json::parse(read(together.string() + "-out/right/results.json")).at("score"), 110);
+  EXPECT_EQ(json::parse(read(together.results("right") / "results.json")).at("score"), 110);
 }
 
 INSTANTIATE_TEST_SUITE_P(Attacks, HostileSubmission, testing::ValuesIn(attacks()),
