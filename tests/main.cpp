@@ -23,6 +23,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+/// Grading starts its own program again as a judge. Programs that don't grade have none.
+int judgeInstead(const char* evidence) __attribute__((weak));
+
 namespace {
 
 std::string setting(const char* name) {
@@ -130,6 +133,7 @@ class OwnEnvironment : public testing::EmptyTestEventListener {
 } // namespace
 
 int main(int argc, char** argv) {
+  if (judgeInstead && argc == 3 && std::string(argv[1]) == "judge") return judgeInstead(argv[2]);
   testing::InitGoogleTest(&argc, argv);
   auto* const record = new Record(setting("GGRADE_TEST_RECORD"), setting("GGRADE_TEST_NAME"));
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();

@@ -53,6 +53,21 @@ private:
   TemporaryFolder folder_;
 };
 
+/// A class that was graded at once, for tests that change no upload.
+class Batch : public testing::Test {
+protected:
+  static void SetUpTestSuite() {
+    students_ = std::make_unique<Class>();
+    const tool::Ended ended = students_->run({"--jobs", "1"}, "whole");
+    ASSERT_EQ(ended.exitCode, 0) << ended.errors;
+  }
+  static void TearDownTestSuite() { students_.reset(); }
+  static Class& shared() { return *students_; }
+
+private:
+  static inline std::unique_ptr<Class> students_;
+};
+
 /// The rows of a gradebook without quoted cells, by student.
 std::map<std::string, std::vector<std::string>> gradebook(const fs::path& out) {
   std::map<std::string, std::vector<std::string>> rows;
@@ -73,7 +88,7 @@ json record(const fs::path& folder) {
   return kept;
 }
 
-TEST(Batch, WritesAFolderAStudentAGradebookAndAPage) {
+TEST_F(Batch, WritesAFolderAStudentAGradebookAndAPage) {
   Class students;
   const tool::Ended ended = students.run({"--json"});
   ASSERT_EQ(ended.exitCode, 0) << ended.errors;
@@ -108,7 +123,7 @@ TEST(Batch, WritesAFolderAStudentAGradebookAndAPage) {
                                 "student1", "student2", "student3", "student4"}));
 
   // The same as `grade` says.
-  const tool::Graded alone = tool::grade(students.uploads() / "student3");
+  const tool::Graded alone = tool::gradeByTool(students.uploads() / "student3");
   EXPECT_EQ(alone.score() + alone.bonus(), dark);
 
   // Nothing to do: nothing is done.
@@ -145,7 +160,7 @@ TEST(Batch, WritesAFolderAStudentAGradebookAndAPage) {
               HasSubstr("--quality balanced: give the same"));
 }
 
-TEST(Batch, AnotherLanguageIsToldAnew) {
+TEST_F(Batch, AnotherLanguageIsToldAnew) {
   Class students;
   ASSERT_EQ(students.run({"--only", "student4"}).exitCode, 0);
   EXPECT_THAT(students.run({"--resume", "--only", "student4"}).out, HasSubstr("0 graded, 1 kept"));
@@ -155,9 +170,8 @@ TEST(Batch, AnotherLanguageIsToldAnew) {
               HasSubstr("<html lang=\"ja\">"));
 }
 
-TEST(Batch, WhatIsKilledGoesOnAndEndsTheSame) {
-  Class students;
-  ASSERT_EQ(students.run({"--jobs", "1"}, "whole").exitCode, 0);
+TEST_F(Batch, WhatIsKilledGoesOnAndEndsTheSame) {
+  Class& students = shared();
   for (const double seconds : {0.3, 2.5, 5.0}) {
     tool::Arguments arguments = students.arguments({"--jobs", "1"}, "killed");
     if (fs::exists(students.out("killed") / ".ggrade-batch.json")) arguments.push_back("--resume");
@@ -179,8 +193,8 @@ TEST(Batch, WhatIsKilledGoesOnAndEndsTheSame) {
   EXPECT_EQ(state.at("work"), "");
 }
 
-TEST(Batch, CtrlCKeepsWhatIsDone) {
-  Class students;
+TEST_F(Batch, CtrlCKeepsWhatIsDone) {
+  Class& students = shared();
   tool::Running running(tool::words(students.arguments({"--jobs", "1"})));
   ASSERT_TRUE(running.says("1/4 student1: graded", 100));
   running.signalGroup(SIGINT);
@@ -194,9 +208,8 @@ TEST(Batch, CtrlCKeepsWhatIsDone) {
   EXPECT_THAT(resumed.out, Not(HasSubstr("4 graded")));
 }
 
-TEST(Batch, SharesOfTwoMachinesAreJoined) {
-  Class students;
-  ASSERT_EQ(students.run({}, "whole").exitCode, 0);
+TEST_F(Batch, SharesOfTwoMachinesAreJoined) {
+  Class& students = shared();
   ASSERT_EQ(students.run({"--shard", "1/2"}, "one").exitCode, 0);
   ASSERT_EQ(students.run({"--shard", "2/2"}, "two").exitCode, 0);
   EXPECT_EQ(gradebook(students.out("one")).size(), 3U);
@@ -224,7 +237,7 @@ TEST(Batch, SharesOfTwoMachinesAreJoined) {
               HasSubstr("holds no graded class"));
 }
 
-TEST(Batch, InstructorsDecisionsSurviveAndAlterNoMachineScore) {
+TEST_F(Batch, InstructorsDecisionsSurviveAndAlterNoMachineScore) {
   Class students;
   for (const char* name : {"student2", "student4"}) fs::remove_all(students.uploads() / name);
   fs::rename(students.uploads() / "student1",
@@ -278,7 +291,7 @@ TEST(Batch, InstructorsDecisionsSurviveAndAlterNoMachineScore) {
   EXPECT_THAT(tool::read(folder / "student.html"), HasSubstr("&lt;b&gt;Oral&lt;/b&gt; exam"));
 }
 
-TEST(Batch, BadInputIsNamedBeforeAnythingIsGraded) {
+TEST_F(Batch, BadInputIsNamedBeforeAnythingIsGraded) {
   Class students;
   const auto error = [&](const tool::Arguments& more) {
     const tool::Ended ended = students.run(more);
@@ -308,7 +321,7 @@ TEST(Batch, BadInputIsNamedBeforeAnythingIsGraded) {
   EXPECT_THAT(foreign.errors, HasSubstr("which is no earlier result of this tool"));
 }
 
-TEST(Batch, WithoutASandboxEveryResultSaysSo) {
+TEST_F(Batch, WithoutASandboxEveryResultSaysSo) {
   Class students;
   for (const char* name : {"student2", "student3", "student4"})
     fs::remove_all(students.uploads() / name);

@@ -72,7 +72,7 @@ TEST_F(Calibrate, RightAndWrongAnswersSeparate) {
                           HasSubstr("mirror_light, seed 1301"), Not(HasSubstr("{{"))));
 
   // The same score as anybody's: the judge that stays judges as the one for one grading does.
-  const Graded graded = grade(Submission::example("light_not_mirrored"));
+  const Graded graded = gradeByTool(Submission::example("light_not_mirrored"));
   EXPECT_EQ(graded.score(), scoreOf("mirror_light"));
 
   // What was graded is kept.

@@ -40,7 +40,7 @@ Submission changed(const std::string& file, const std::string& from, const std::
 }
 
 TEST(CarriedForward, AWrongTextureLeavesTheSamplingItsPoints) {
-  const Graded graded = grade(Submission::example("scale_on_the_left"));
+  const Graded graded = grade(Submission::example("scale_on_the_left"), {.pictures = true});
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_LT(graded.earned("mirror.texture"), 8);
   EXPECT_EQ(graded.earned("mirror.where"), 20);
@@ -206,7 +206,8 @@ TEST(CarriedForward, WhatIsPrintedThenGoesNowhere) {
                 kLook + "    if (replaced) throw std::runtime_error(\"caught you\");\n");
   const TemporaryFolder out;
   const fs::path report = out.path() / "report";
-  EXPECT_EQ(runTool({"grade", "mirror", other.path(), "--out", report}).exitCode, 0);
+  EXPECT_EQ(runTool({"grade", "mirror", other.path(), "--no-diagnosis", "--out", report}).exitCode,
+            0);
   EXPECT_THAT(read(report / "results.json"), HasSubstr("\"carry forward\""));
   for (const char* file : {"index.html", "student.html", "results.json", "junit.xml"})
     EXPECT_THAT(read(report / file), Not(HasSubstr("caught you"))) << file;

@@ -1,4 +1,5 @@
-// Faulty submissions lose what they should, and the right item says so.
+// Faulty submissions lose what they should, and the right item says so: more than the catalogue
+// says of its mistakes.
 
 #include "tool.hpp"
 
@@ -14,7 +15,7 @@ using testing::UnorderedElementsAre;
 namespace {
 
 TEST(Fault, LightNotMirrored) {
-  const Graded graded = grade(Submission::example("light_not_mirrored"));
+  const Graded graded = gradeMistake("mirror_light_not_mirrored");
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_EQ(graded.earned("mirror.shading"), 0);
   // Where the reflection is and whose it is stays right.
@@ -27,7 +28,7 @@ TEST(Fault, LightNotMirrored) {
 }
 
 TEST(Fault, NoDepthAttachment) {
-  const Graded graded = grade(Submission::example("no_depth"));
+  const Graded graded = gradeMistake("mirror_no_depth");
   EXPECT_EQ(graded.outcome(), "graded"); // complete without depth: no GL error
   EXPECT_EQ(graded.earned("mirror.hidden"), 0);
   EXPECT_EQ(graded.earned("mirror.where"), 20);
@@ -37,7 +38,7 @@ TEST(Fault, NoDepthAttachment) {
 }
 
 TEST(Fault, ScaleOnTheWrongSideOfTheView) {
-  const Graded graded = grade(Submission::example("scale_on_the_left"));
+  const Graded graded = gradeMistake("mirror_scale_on_the_left");
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_THAT(graded.lost(), Contains("mirror.texture"));
   EXPECT_EQ(graded.earned("mirror.shading"), 0);
@@ -47,14 +48,14 @@ TEST(Fault, ScaleOnTheWrongSideOfTheView) {
 }
 
 TEST(Fault, CullingLeftTurned) {
-  const Graded graded = grade(Submission::example("culling_not_restored"));
+  const Graded graded = gradeMistake("mirror_culling_not_restored");
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_LT(graded.earned("mirror.keep_picture"), 0);
   EXPECT_LT(graded.score(), 50);
 }
 
 TEST(Fault, FramebufferLeftBoundIsNamed) {
-  const Graded graded = grade(Submission::example("framebuffer_left_bound"));
+  const Graded graded = gradeMistake("mirror_framebuffer_left_bound");
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_EQ(graded.results.at("score"), 0);
   EXPECT_LT(graded.earned("mirror.keep_picture"), 0);
@@ -63,15 +64,13 @@ TEST(Fault, FramebufferLeftBoundIsNamed) {
 
 TEST(Fault, NothingClips) {
   // All but the step that is beyond the lecture.
-  const Graded graded = grade(std::move(Submission::solution().replace(
-      "floor.cpp", "scene.integer(\"quality.mirror_clip\") > 0", "false")));
+  const Graded graded = gradeMistake("mirror_no_clip");
   EXPECT_THAT(graded.lost(), UnorderedElementsAre("mirror.clip"));
   EXPECT_EQ(graded.score(), 85);
 }
 
 TEST(Fault, ClippedOnTheWrongSide) {
-  const Graded graded = grade(std::move(Submission::solution().replace(
-      "mirror.vert", "uClip ? world.y : 1", "uClip ? -world.y : 1")));
+  const Graded graded = gradeMistake("mirror_clip_sign");
   EXPECT_EQ(graded.earned("mirror.texture"), 0);
   EXPECT_EQ(graded.earned("mirror.clip"), 0);
   EXPECT_EQ(graded.score(), 35); // the sampling's, judged with the reference's reflection
@@ -85,17 +84,13 @@ TEST(Fault, ClipDistanceLeftEnabled) {
 }
 
 TEST(Fault, ViewportKeptFromTheMirrorPass) {
-  const Graded graded = grade(std::move(Submission::solution().replace(
-      "floor.cpp",
-      "      glViewport(0, 0, window.width(), window.height());\n      // END SOLUTION(mirror.2)",
-      "      // END SOLUTION(mirror.2)")));
+  const Graded graded = gradeMistake("mirror_viewport_not_restored");
   EXPECT_LT(graded.earned("mirror.keep_picture"), 0);
   EXPECT_LT(graded.score(), 30);
 }
 
 TEST(Fault, ViewportOfTheWindowInTheMirrorPass) {
-  const Graded graded = grade(std::move(Submission::solution().replace(
-      "floor.cpp", "      glViewport(0, 0, reflection.size, reflection.size);\n", "")));
+  const Graded graded = gradeMistake("mirror_window_viewport_in_fbo");
   EXPECT_LT(graded.earned("mirror.texture"), 5);
   EXPECT_EQ(graded.earned("mirror.shading"), 0);
   EXPECT_LT(graded.score(), 40); // the sampling's, judged with the reference's reflection
@@ -103,17 +98,13 @@ TEST(Fault, ViewportOfTheWindowInTheMirrorPass) {
 
 TEST(Fault, DepthNotCleared) {
   // Right in the first frame only.
-  const Graded graded = grade(std::move(Submission::solution().replace(
-      "floor.cpp",
-      "      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n      // END SOLUTION(mirror.2)",
-      "      glClear(GL_COLOR_BUFFER_BIT);\n      // END SOLUTION(mirror.2)")));
+  const Graded graded = gradeMistake("mirror_depth_not_cleared");
   EXPECT_THAT(graded.lost(), Contains("mirror.hidden"));
   EXPECT_LT(graded.score(), 70);
 }
 
 TEST(Fault, NormalsNotNegated) {
-  const Graded graded = grade(
-      std::move(Submission::solution().replace("mirror.vert", "  vNormal = -vNormal;\n", "")));
+  const Graded graded = gradeMistake("mirror_normal_not_negated");
   EXPECT_EQ(graded.earned("mirror.shading"), 0);
   EXPECT_EQ(graded.earned("mirror.where"), 20);
   EXPECT_EQ(graded.earned("mirror.position"), 15);
@@ -121,9 +112,7 @@ TEST(Fault, NormalsNotNegated) {
 }
 
 TEST(Fault, UpsideDown) {
-  const Graded graded = grade(std::move(Submission::solution().replace(
-      "tile.frag", "    reflected = texture(uReflection, at).rgb;\n",
-      "    at.y = 1 - at.y;\n    reflected = texture(uReflection, at).rgb;\n")));
+  const Graded graded = gradeMistake("mirror_upside_down");
   EXPECT_EQ(graded.earned("mirror.where"), 0);
   EXPECT_EQ(graded.earned("mirror.position"), 0);
   // The texture is right; it is sampled the wrong way round.
@@ -133,9 +122,10 @@ TEST(Fault, UpsideDown) {
 
 TEST(Fault, ConstantsOfThePublicSceneTypedIn) {
   // A viewport of 640x480 in place of the window's: right in public, wrong in hidden scenes.
-  const Graded graded = grade(std::move(
-      Submission::solution().replace("tile.frag", "    vec2 at = gl_FragCoord.xy / uViewport;\n",
-                                     "    vec2 at = gl_FragCoord.xy / vec2(640, 480);\n")));
+  const Graded graded = grade(std::move(Submission::solution().replace(
+                                  "tile.frag", "    vec2 at = gl_FragCoord.xy / uViewport;\n",
+                                  "    vec2 at = gl_FragCoord.xy / vec2(640, 480);\n")),
+                              {.pictures = true});
   EXPECT_THAT(graded.lost(), Contains("mirror.where"));
   EXPECT_LT(graded.score(), 60);
   for (const auto& frame : graded.results.at("extra_data").at("scenes").at(0).at("frames"))
@@ -143,15 +133,14 @@ TEST(Fault, ConstantsOfThePublicSceneTypedIn) {
 }
 
 TEST(Fault, NoBlurCostsTheBonusOnly) {
-  const Graded graded = grade(std::move(
-      Submission::solution().replace("tile.frag", "uBlurSigma > 0 && uBlurSamples > 0", "false")));
+  const Graded graded = gradeMistake("mirror_no_blur");
   EXPECT_EQ(graded.score(), 100);
   EXPECT_EQ(graded.bonus(), 0);
 }
 
 TEST(Fault, AFilterJudgesTheNamedItemsOnly) {
   const Graded graded =
-      grade(Submission::example("no_depth"), {"--", "--gtest_filter=mirror.where"});
+      gradeByTool(Submission::example("no_depth"), {"--", "--gtest_filter=mirror.where"});
   EXPECT_EQ(graded.ended.exitCode, 0);
   EXPECT_EQ(graded.score(), 20);
   for (const auto& item : graded.results.at("extra_data").at("items"))

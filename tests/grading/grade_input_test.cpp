@@ -73,7 +73,7 @@ TEST_F(BadInput, AnArchiveWithAFolderInItIsNone) {
       Running({"/usr/bin/tar", "-czf", archive, "-C", solution.path().parent_path(), "submission"})
           .wait(20);
   ASSERT_EQ(packed.exitCode, 0) << packed.errors;
-  const Graded graded = grade(archive);
+  const Graded graded = gradeByTool(archive);
   EXPECT_EQ(graded.score(), 100);
   EXPECT_EQ(graded.results.at("extra_data").at("submission"), "ada.tar.gz");
 }
@@ -240,7 +240,7 @@ TEST_F(BadInput, WhatAnUploadHoldsBesidesIsNamed) {
   fs::create_symlink("/dev/zero", upload.path() / "zero.vert");
   upload.write("assignment.json", "not even JSON").write("scene.json", "{\"size\": [1, 1]}");
 
-  const Graded graded = grade(upload);
+  const Graded graded = gradeByTool(upload);
   // The handed-out files stand in, and they are the solution's.
   EXPECT_EQ(graded.score(), 100);
   std::string unused;

@@ -96,8 +96,9 @@ TEST_F(Interrupt, WhileTheReferenceIsRendered) {
   // A cache of its own, so that there is something to render; it stays usable.
   const fs::path cache = folder_.path() / "cache";
   environment_ = {{"GGRADE_CACHE", cache}};
-  const Arguments arguments = {"grade",      "mirror", kSource / "solutions/floor",
-                               "--solution", "--out",  out_};
+  const Arguments arguments = {"grade",      "mirror",    kSource / "solutions/floor",
+                               "--solution", "--quality", "fast",
+                               "--out",      out_};
   interruptWhen("rendering the reference", 0.2, arguments);
   for (const auto& entry : fs::recursive_directory_iterator(cache))
     EXPECT_FALSE(entry.path().filename().string().starts_with(".ggrade-")) << entry.path();

@@ -94,7 +94,7 @@ TEST(Language, ARefusedCommandLineIsToldInJapanese) {
 TEST(Language, FollowsTheEnvironmentToo) {
   // Before anything is drawn: the program doesn't compile.
   const Submission submission = Submission::program("int main() { return x; }\n");
-  const Graded graded = grade(submission, {}, {{"GG_LANG", "ja"}});
+  const Graded graded = gradeByTool(submission, {}, {{"GG_LANG", "ja"}});
   EXPECT_EQ(graded.outcome(), "build_failed");
   EXPECT_THAT(graded.detail(), HasSubstr("コンパイラのメッセージ："));
 }

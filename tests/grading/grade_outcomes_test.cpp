@@ -48,7 +48,7 @@ std::string lineWith(const Submission& submission, const std::string& file,
 
 TEST(Outcome, BuildFailedNamesTheStudentsLine) {
   const Submission wrong = Submission::example("build_error");
-  const Graded graded = grade(wrong);
+  const Graded graded = gradeByTool(wrong);
   expectEnd(graded, "build_failed",
             AllOf(HasSubstr(lineWith(wrong, "floor.cpp", "fboWidth")),
                   ContainsRegex(":[0-9]+: error"), HasSubstr("fboWidth"),
@@ -60,7 +60,7 @@ TEST(Outcome, BuildFailedNamesTheStudentsLine) {
 
 TEST(Outcome, ShaderErrorNamesFileLineAndColumn) {
   const Submission wrong = Submission::example("shader_error");
-  const Graded graded = grade(wrong);
+  const Graded graded = gradeByTool(wrong);
   expectEnd(graded, "shader_error",
             AllOf(HasSubstr(lineWith(wrong, "tile.frag", "uWindow")),
                   ContainsRegex(":[0-9]+: error"), HasSubstr("uWindow")));
@@ -68,13 +68,13 @@ TEST(Outcome, ShaderErrorNamesFileLineAndColumn) {
 }
 
 TEST(Outcome, GlErrorNamesTheCallAndKeepsTheScore) {
-  const Graded graded = grade(beforeSwap("    glEnable(GL_TEXTURE_2D);\n"));
+  const Graded graded = gradeByTool(beforeSwap("    glEnable(GL_TEXTURE_2D);\n"));
   expectEnd(graded, "gl_error", AllOf(HasSubstr("GL_INVALID_ENUM"), HasSubstr("glEnable")));
   EXPECT_EQ(graded.score(), 100);
 }
 
 TEST(Outcome, NoFrameWhenACommentSwallowsTheSwap) {
-  const Graded graded = grade(Submission::example("never_swaps"));
+  const Graded graded = gradeByTool(Submission::example("never_swaps"));
   expectEnd(graded, "no_frame", HasSubstr("glfwSwapBuffers"));
   EXPECT_EQ(graded.results.at("score"), 0);
   // The compiler saw it coming.
@@ -82,37 +82,37 @@ TEST(Outcome, NoFrameWhenACommentSwallowsTheSwap) {
 }
 
 TEST(Outcome, NoFrameWhenTheProgramEndsAtOnce) {
-  const Graded graded = grade(Submission::program("#include <gg/gg.hpp>\n"
-                                                  "void app(const gg::Scene&) {}\n"));
+  const Graded graded = gradeByTool(Submission::program("#include <gg/gg.hpp>\n"
+                                                        "void app(const gg::Scene&) {}\n"));
   expectEnd(graded, "no_frame", HasSubstr("0 of 2 frames came"));
   EXPECT_EQ(graded.results.at("score"), 0);
 }
 
 TEST(Outcome, Timeout) {
-  const Graded graded = grade(afterSwap("    for (volatile int i = 0; i >= 0; i = 0) {}\n"));
+  const Graded graded = gradeByTool(afterSwap("    for (volatile int i = 0; i >= 0; i = 0) {}\n"));
   expectEnd(graded, "timeout", AllOf(HasSubstr("1 of 2 frames came"), ContainsRegex("[0-9]+ s")));
   EXPECT_EQ(graded.results.at("score"), 0);
 }
 
 TEST(Outcome, CrashNamesTheSignal) {
-  const Graded graded = grade(Submission::example("crash"));
+  const Graded graded = gradeByTool(Submission::example("crash"));
   expectEnd(graded, "crash", AllOf(HasSubstr("SIGSEGV"), HasSubstr("0 of 2 frames came")));
   EXPECT_EQ(graded.results.at("score"), 0);
 }
 
 TEST(Outcome, CrashByAnUncaughtExceptionQuotesIt) {
-  const Graded graded = grade(afterSwap("    std::vector<int>(3).at(7) = 1;\n"));
+  const Graded graded = gradeByTool(afterSwap("    std::vector<int>(3).at(7) = 1;\n"));
   expectEnd(graded, "crash",
             AllOf(HasSubstr("vector::_M_range_check"), HasSubstr("1 of 2 frames")));
 }
 
 TEST(Outcome, CrashByAbort) {
-  const Graded graded = grade(afterSwap("    std::abort();\n"));
+  const Graded graded = gradeByTool(afterSwap("    std::abort();\n"));
   expectEnd(graded, "crash", AllOf(HasSubstr("SIGABRT"), HasSubstr("1 of 2 frames came")));
 }
 
 TEST(Outcome, OutOfMemory) {
-  const Graded graded = grade(
+  const Graded graded = gradeByTool(
       afterSwap("    static std::vector<std::vector<char>> held;\n"
                 "    for (;;) held.emplace_back(32 << 20, static_cast<char>(held.size()));\n"));
   expectEnd(graded, "out_of_memory", AllOf(HasSubstr("memory"), HasSubstr("of 2 frames came")));
@@ -133,7 +133,7 @@ TEST(Outcome, BadOutputWhenTheSharedMemoryHoldsGarbage) {
 )");
   garbage.replace("floor.cpp", "#include <gg/gg.hpp>\n",
                   "#include <gg/gg.hpp>\n#include <fstream>\n#include <unistd.h>\n");
-  const Graded graded = grade(garbage);
+  const Graded graded = gradeByTool(garbage);
   expectEnd(graded, "bad_output", HasSubstr("makes no sense"));
   EXPECT_EQ(graded.results.at("score"), 0);
 }
@@ -177,7 +177,7 @@ TEST(Outcome, NotGradableWhenTheJudgeDies) {
 TEST(Outcome, ForgedResultsAndAnEarlyExitEarnNothing) {
   // Frames come through shared memory alone: what a program prints, what it
   // exits with and what it leaves behind earn nothing.
-  const Graded graded = grade(Submission::program(
+  const Graded graded = gradeByTool(Submission::program(
       "#include <gg/gg.hpp>\n"
       "#include <fstream>\n"
       "void app(const gg::Scene&) {\n"

@@ -66,7 +66,7 @@ const std::string kPickFrame =
     "    const std::string& pixels = copies[glfwGetTime() < 0.5 ? 0 : 1];\n";
 
 TEST(Score, TheReferenceHasEverything) {
-  const Graded graded = grade(kSource / "solutions/floor", {"--solution"});
+  const Graded graded = gradeByTool(kSource / "solutions/floor", {"--solution"});
   EXPECT_EQ(graded.ended.exitCode, 0);
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_EQ(graded.score(), 100);
@@ -81,7 +81,7 @@ TEST(Score, TheReferenceHasEverything) {
 }
 
 TEST(Score, TheStubHasNothing) {
-  const Graded graded = grade(kSource / "assignments/floor");
+  const Graded graded = gradeByTool(kSource / "assignments/floor");
   EXPECT_EQ(graded.ended.exitCode, 0);
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_EQ(graded.results.at("score"), 0);
@@ -131,7 +131,7 @@ TEST(Score, NoiseHasNothing) {
 TEST(Score, ACopyOfThePublicPictureHasLessThanHalf) {
   Submission copy = drawing(kLoadFrames, kPickFrame + kShowPixels);
   addPublicFrames(copy);
-  const Graded graded = grade(copy);
+  const Graded graded = grade(copy, {.pictures = true});
   EXPECT_EQ(graded.outcome(), "graded");
   // The copy is exact where it was taken.
   const auto& frames = graded.results.at("extra_data").at("scenes").at(0).at("frames");
@@ -150,7 +150,7 @@ TEST(Score, ACopyWithTheStubForHiddenScenesHasLessThanHalf) {
                "    if (scene.camera.position == glm::vec3(0, 3.4, 7) && "
                "scene.real(\"mirror.blur\") == 0) {\n" +
                    kPickFrame + kShowPixels + "    }\n    window.swapBuffers();\n");
-  const Graded graded = grade(copy);
+  const Graded graded = grade(copy, {.pictures = true});
   EXPECT_EQ(graded.outcome(), "graded");
   for (const auto& frame : graded.results.at("extra_data").at("scenes").at(0).at("frames"))
     EXPECT_EQ(frame.at("wrong_share"), 0);

@@ -1,131 +1,213 @@
-// A student's way through the handout: every program with the first k TODOs filled in.
+// A student's way through the handout: every program with the first k TODOs filled in compiles
+// without a warning, is graded, earns what it shows, and shows what the handout's picture does.
 
-#include "tool.hpp"
+#include "handout.hpp"
 
-#include "grading/program.hpp"
+#include "authoring/pass_picture.hpp"
+#include "authoring/solution_blocks.hpp"
 #include "image/compare.hpp"
-#include "image/png.hpp"
 
 #include <gmock/gmock.h>
 
 using namespace tool;
+using ggrade::Image;
+using nlohmann::json;
 using testing::Contains;
-using testing::HasSubstr;
-using testing::Not;
 
 namespace {
 
-/// A function, because kSource is initialised elsewhere.
-fs::path assignmentFolder() {
-  return kSource / "assignments/floor";
-}
-
-/// What a student has after each step of a part.
+/// What is known of a way besides that it never goes back.
 struct Way {
-  const char* part;
-  std::vector<double> scores; ///< after 0, 1, 2, ... steps
-  double bonus;               ///< after all of them
+  std::vector<double> scores; ///< after 0, 1, 2, ... steps; empty: only the last is known
   std::vector<int> unseen;    ///< steps that change nothing in the window
 };
 
-std::ostream& operator<<(std::ostream& out, const Way& way) {
-  return out << way.part;
+const std::map<std::string, Way> kWays = {
+    // Points come with the steps that the rubric can see: sampling an empty texture is worth
+    // nothing, the mirrored objects are, inside out or not. A map that nobody asks is none.
+    {"mirror", {{0, 0, 0, 0, 45, 85, 100, 100}, {1, 2}}},
+    {"shadow", {{0, 0, 0, 0, 100, 100, 100}, {1, 2, 3}}},
+    {"bloom", {{0, 0, 10, 35, 55, 70, 100}, {1, 3, 4, 5}}}};
+
+double pointsOf(const ggrade::Part& part, ggrade::report::ItemKind kind) {
+  double sum = 0;
+  for (const ggrade::ItemDeclaration& item : part.items)
+    if (item.kind == kind) sum += item.points;
+  return sum;
 }
 
-class Step : public testing::TestWithParam<Way> {};
+/// What a program shows in the first frame of a picture of the handout.
+ggrade::channel::Capture draw(const std::string& id, const fs::path& program, const json& scene,
+                              const std::vector<double>& times,
+                              const ggrade::grading::ShaderCache& shaders) {
+  auto rendering =
+      ggrade::grading::renderScene(id, program, scene, times, shaders, ggrade::grading::isolation(),
+                                   ggrade::grading::gradingRequest());
+  EXPECT_EQ(rendering.happened.outcome, ggrade::report::Outcome::graded)
+      << rendering.happened.detail;
+  return std::move(rendering.capture);
+}
 
-INSTANTIATE_TEST_SUITE_P(
-    Every, Step,
-    testing::Values(
-        // Points come with the steps that the rubric can see: sampling an empty texture is worth
-        // nothing, the mirrored objects are, inside out or not. A map that nobody asks is none.
-        Way{"mirror", {0, 0, 0, 0, 45, 85, 100, 100}, 10, {1, 2}},
-        Way{"shadow", {0, 0, 0, 0, 100, 100, 100}, 20, {1, 2, 3}},
-        Way{"bloom", {0, 0, 10, 35, 55, 70, 100}, 0, {1, 3, 4, 5}}),
-    [](const auto& way) { return std::string(way.param.part); });
+Image windowOf(const ggrade::channel::Capture& capture) {
+  return ggrade::rubric::toImage(ggrade::grading::rawFrames(capture).at(0));
+}
 
-TEST_P(Step, IsGradedWithoutAnErrorAndEarnsWhatItShows) {
-  const Way& way = GetParam();
-  double bonus = 0;
-  for (std::size_t k = 0; k < way.scores.size(); ++k) {
-    const Graded graded =
-        gradePart(way.part, Submission::firstSteps(static_cast<int>(k), way.part));
-    EXPECT_EQ(graded.outcome(), "graded") << k; // neither gl_error nor no_frame
-    EXPECT_NEAR(graded.score(), way.scores[k], 0.1) << "step " << k;
-    EXPECT_GE(graded.bonus(), bonus) << "step " << k;
+class Step : public testing::TestWithParam<std::string> {
+protected:
+  const ggrade::Assignment& assignment() const { return grader_.target().assignment; }
+  const ggrade::Part& part() const { return grader_.target().parts.at(0); }
+  Way way() const {
+    const auto found = kWays.find(GetParam());
+    return found == kWays.end() ? Way() : found->second;
+  }
+
+  /// Are the pictures of step `k` in the handout those that its program draws?
+  void expectPictures(std::size_t k, const fs::path& program) const {
+    const json settings = readHandout(assignment());
+    const auto times = settings.at("times").get<std::vector<double>>();
+    const auto& shaders = grader_.references().shaders;
+    const auto capture =
+        draw(assignment().id, program,
+             ggrade::grading::handoutScene(assignment(), part(), settings, k), times, shaders);
+    const std::string name = part().id + "-" + std::to_string(k);
+    expectHandedOut(assignment(), name + ".png", windowOf(capture));
+    if (k == 0) return;
+    const std::string todo = part().todos[k - 1].id;
+    if (const json passes = settings.value("passes", json::object()); passes.contains(todo))
+      expectHandedOut(assignment(), name + "-pass.png",
+                      ggrade::authoring::passPicture(capture.trace, passes.at(todo), todo));
+    for (const auto& [other, picture] : settings.value("pictures", json::object()).items())
+      if (picture.at("done") == json({todo}))
+        expectHandedOut(
+            assignment(), other + ".png",
+            windowOf(draw(assignment().id, program, pictureScene(assignment(), settings, picture),
+                          times, shaders)));
+  }
+
+  Grader& grader_ = Grader::of(GetParam());
+};
+
+INSTANTIATE_TEST_SUITE_P(Every, Step, testing::ValuesIn(partNames()),
+                         [](const auto& one) { return one.param; });
+
+TEST_P(Step, IsGradedAndEarnsAndShowsWhatTheHandoutSays) {
+  const double points = pointsOf(part(), ggrade::report::ItemKind::gain);
+  double score = 0, bonus = 0;
+  std::size_t required = 0;
+  for (const ggrade::Todo& todo : part().todos) required += !todo.bonus;
+  for (std::size_t k = 0; k <= part().todos.size(); ++k) {
+    SCOPED_TRACE("step " + std::to_string(k));
+    const Submission made = Submission::firstSteps(static_cast<int>(k), part().id);
+    const ggrade::grading::Built built = grader_.build(made.path());
+    EXPECT_EQ(built.result.compilerOutput, "");
+    const Graded graded = grader_.grade(built);
+    ASSERT_EQ(graded.outcome(), "graded"); // neither gl_error nor no_frame
+    if (const auto scores = way().scores; !scores.empty()) {
+      EXPECT_NEAR(graded.score(), scores.at(k), 0.1);
+    } else {
+      EXPECT_GE(graded.score(), score);
+    }
+    EXPECT_GE(graded.bonus(), bonus);
+    score = graded.score();
     bonus = graded.bonus();
-  }
-  EXPECT_EQ(bonus, way.bonus);
-}
-
-std::string pictureName(const std::string& part, std::size_t k, const char* more = "") {
-  return "handout/" + part + "-" + std::to_string(k) + more + ".png";
-}
-
-TEST_P(Step, ShowsInTheWindowOrInAPassWhatTheHandoutSays) {
-  const Way& way = GetParam();
-  for (std::size_t k = 1; k < way.scores.size(); ++k) {
-    const ggrade::Comparison comparison =
-        ggrade::compare(ggrade::readPng(assignmentFolder() / pictureName(way.part, k)),
-                        ggrade::readPng(assignmentFolder() / pictureName(way.part, k - 1)));
-    ASSERT_TRUE(comparison.compared()) << comparison.message;
-    // Making a framebuffer object changes nothing, nor does what nobody reads yet.
-    if (testing::Value(static_cast<int>(k), testing::AnyOfArray(way.unseen)))
-      EXPECT_EQ(comparison.wrongPixels, 0u) << k;
-    else
-      EXPECT_GT(comparison.wrongShare, 0.005) << k;
-  }
-}
-
-TEST_P(Step, CompilesWithoutAWarning) {
-  const Way& way = GetParam();
-  for (std::size_t k = 0; k < way.scores.size(); ++k) {
-    const Submission made = Submission::firstSteps(static_cast<int>(k), way.part);
-    const ggrade::grading::Happened built =
-        ggrade::grading::buildProgram("floor", made.path(), ggrade::sandbox::Isolation::none);
-    EXPECT_TRUE(built.ok()) << k;
-    EXPECT_EQ(built.output, "") << k;
-  }
-}
-
-/// What `derive` makes of an assignment's solution is what is handed out.
-void expectInStep(const ggrade::Assignment& assignment) {
-  const TemporaryFolder made;
-  // A program is built for every picture.
-  const Ended ended = runTool({"derive", assignment.id, "--out", made.path()}, {}, 400);
-  ASSERT_EQ(ended.exitCode, 0) << ended.errors;
-  for (const std::string& name : names(made.path()))
-    if (name != "handout") {
-      EXPECT_EQ(read(made.path() / name), read(assignment.folder / name)) << name;
+    if (k == 0) {
+      EXPECT_EQ(graded.results.at("score"), 0);
+      for (const ggrade::ItemDeclaration& item : part().items)
+        EXPECT_EQ(graded.earned(item.id), 0) << graded.message(item.id);
     }
-  EXPECT_TRUE(fs::exists(made.path() / "README.md"));
-  for (const std::string& name : assignment.files)
-    EXPECT_TRUE(fs::exists(made.path() / name)) << name;
-  const std::vector<std::string> pictures = names(made.path() / "handout");
-  EXPECT_EQ(pictures, names(assignment.folder / "handout"));
-  for (const std::string& name : pictures) {
-    if (name.ends_with(".svg")) {
-      EXPECT_EQ(read(made.path() / "handout" / name), read(assignment.folder / "handout" / name));
-      continue;
+    if (k == required) {
+      EXPECT_EQ(score, points);
     }
-    const ggrade::Comparison comparison =
-        ggrade::compare(ggrade::readPng(made.path() / "handout" / name),
-                        ggrade::readPng(assignment.folder / "handout" / name));
-    EXPECT_EQ(comparison.wrongPixels, 0u) << name << ": " << comparison.message;
+    expectPictures(k, built.program);
+  }
+  EXPECT_EQ(bonus, pointsOf(part(), ggrade::report::ItemKind::bonus));
+}
+
+TEST_P(Step, TheReferenceHasEverything) {
+  const Graded graded =
+      gradePart(GetParam(), kSource / "solutions" / assignment().id, {.solution = true});
+  EXPECT_EQ(graded.outcome(), "graded");
+  EXPECT_EQ(graded.score(), pointsOf(part(), ggrade::report::ItemKind::gain));
+  EXPECT_EQ(graded.bonus(), pointsOf(part(), ggrade::report::ItemKind::bonus));
+  EXPECT_THAT(graded.lost(), testing::IsEmpty());
+}
+
+/// In the window, or else in a pass.
+TEST(Steps, ShowWhatTheHandoutSays) {
+  const auto assignment = ggrade::Assignment::load(kSource / "assignments/floor");
+  for (const auto& [part, way] : kWays)
+    for (std::size_t k = 1; k < way.scores.size(); ++k) {
+      const auto picture = [&, part = part](std::size_t step) {
+        return readHandedOut(assignment, part + "-" + std::to_string(step) + ".png");
+      };
+      const ggrade::Comparison comparison = ggrade::compare(picture(k), picture(k - 1));
+      ASSERT_TRUE(comparison.compared()) << comparison.message;
+      // Making a framebuffer object changes nothing, nor does what nobody reads yet.
+      if (testing::Value(static_cast<int>(k), testing::AnyOfArray(way.unseen)))
+        EXPECT_EQ(comparison.wrongPixels, 0u) << part << k;
+      else
+        EXPECT_GT(comparison.wrongShare, 0.005) << part << k;
+    }
+}
+
+/// Each step's, the passes and further ones that handout.json names, and no others.
+TEST(Steps, HandoutsHaveThePicturesThatTheyShould) {
+  for (const ggrade::Assignment& assignment : ggrade::loadAssignments(kSource / "assignments")) {
+    const json settings = readHandout(assignment);
+    std::set<std::string> wanted, there;
+    for (const ggrade::Part& part : assignment.parts)
+      for (std::size_t k = 0; k <= part.todos.size(); ++k) {
+        const std::string name = part.id + "-" + std::to_string(k);
+        wanted.insert(name + ".png");
+        if (k > 0 && settings.value("passes", json::object()).contains(part.todos[k - 1].id))
+          wanted.insert(name + "-pass.png");
+      }
+    for (const auto& [name, picture] : settings.value("pictures", json::object()).items())
+      wanted.insert(name + ".png");
+    for (const std::string& name : names(assignment.folder / "handout"))
+      if (name.ends_with(".png")) there.insert(name);
+    EXPECT_EQ(there, wanted);
   }
 }
 
-TEST(Steps, StubHandoutsAndPicturesAreInStepWithTheSolution) {
+/// Of steps of several parts together; those of one part's are drawn with it, above.
+TEST(Steps, PicturesOfSeveralPartsAreInStepWithTheSolution) {
+  for (const ggrade::Assignment& assignment : ggrade::loadAssignments(kSource / "assignments")) {
+    const json settings = readHandout(assignment);
+    for (const auto& [name, picture] : settings.value("pictures", json::object()).items()) {
+      if (picture.at("done").size() == 1) continue; // a step's, see above
+      const TemporaryFolder program;
+      const fs::path solution = kSource / "solutions" / assignment.id;
+      for (const std::string& file : assignment.files)
+        program.write(file, ggrade::authoring::withFilled(read(solution / file), file,
+                                                          doneFor(assignment, picture)));
+      for (const std::string& file : assignment.dataFiles())
+        fs::copy_file(assignment.folder / file, program.path() / file);
+      using ggrade::sandbox::Isolation;
+      ASSERT_TRUE(
+          ggrade::grading::buildProgram(assignment.id, program.path(), Isolation::none).ok());
+      const auto rendering = ggrade::grading::renderScene(
+          assignment.id, program.path(), pictureScene(assignment, settings, picture),
+          settings.at("times").get<std::vector<double>>(), {}, Isolation::none);
+      expectHandedOut(assignment, name + ".png", windowOf(rendering.capture));
+    }
+  }
+}
+
+TEST(Steps, StubAndHandoutsAreInStepWithTheSolution) {
   for (const ggrade::Assignment& assignment : ggrade::loadAssignments(kSource / "assignments")) {
     SCOPED_TRACE(assignment.id);
-    expectInStep(assignment);
+    // The pictures of one assignment; of the others, the tests above draw them.
+    const bool pictures = assignment.id == "shadow_volume";
+    expectInStep(assignment, pictures);
   }
 }
 
 TEST(Steps, EveryStepOfTheFloorHasItsTextAndItsPicture) {
+  const fs::path folder = kSource / "assignments/floor";
   for (const char* name : {"mirror.md", "shadow.md", "bloom.md"})
-    EXPECT_TRUE(fs::exists(assignmentFolder() / name)) << name;
-  const std::vector<std::string> pictures = names(assignmentFolder() / "handout");
+    EXPECT_TRUE(fs::exists(folder / name)) << name;
+  const std::vector<std::string> pictures = names(folder / "handout");
   // A step that shows nothing in the window, but draws, shows its pass.
   for (const char* name : {"mirror-2-pass.png", "shadow-3-pass.png", "bloom-3-pass.png",
                            "bloom-4-pass.png", "bloom-5-pass.png"})

@@ -30,19 +30,21 @@ class Built {
 public:
   explicit Built(const fs::path& sources) {
     grading::overlay(assignment(), sources, folder_.path());
+    fs::create_directory(shaders_);
     const grading::Happened built =
         grading::buildProgram("floor", folder_.path(), sandbox::Isolation::none);
     if (!built.ok()) throw std::runtime_error(built.output);
   }
   channel::Capture render(const json& scene, const trace::Request& request = {}) const {
-    grading::Rendering rendering = grading::renderScene("floor", folder_.path(), scene, {0.4, 1.3},
-                                                        {}, sandbox::Isolation::none, request);
+    grading::Rendering rendering = grading::renderScene(
+        "floor", folder_.path(), scene, {0.4, 1.3}, {shaders_}, sandbox::Isolation::none, request);
     EXPECT_EQ(rendering.happened.outcome, report::Outcome::graded) << rendering.happened.detail;
     return std::move(rendering.capture);
   }
 
 private:
   TemporaryFolder folder_;
+  fs::path shaders_ = folder_.path() / "shaders"; ///< compiled once
 };
 
 const Built& solution() {
@@ -296,7 +298,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& info) { return std::string(info.param.name); });
 
 TEST(Together, TheFloorHasOneHundredPointsOfAllParts) {
-  const Graded reference = gradePart("floor", kSource / "solutions/floor", {"--solution"});
+  const Graded reference = gradePart("floor", kSource / "solutions/floor", {.solution = true});
   EXPECT_EQ(reference.score(), 100);
   EXPECT_EQ(reference.bonus(), 10);
   const Graded stub = gradePart("floor", kSource / "assignments/floor");

@@ -59,7 +59,7 @@ TEST(Unsteady, ARandomSquareIsNamedMeasuredAndShown) {
 }
 
 TEST(Unsteady, AProgramThatDrawsTheSameIsNotNamed) {
-  const Graded graded = grade(Submission::solution());
+  const Graded graded = grade(Submission::solution(), {.pictures = true});
   EXPECT_THAT(unsteadyShares(graded), Each(0.0));
   EXPECT_THAT(graded.detail(), Not(HasSubstr("deterministic")));
 }

@@ -1,6 +1,6 @@
 // `ggrade release`, and the kit that it makes.
 
-#include "tool.hpp"
+#include "kit.hpp"
 
 #include <gmock/gmock.h>
 
@@ -9,80 +9,41 @@
 using namespace tool;
 using nlohmann::json;
 using testing::AllOf;
-using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsSupersetOf;
 using testing::Not;
 
 namespace {
 
-/// The states of a part's TODOs, as ggrade-check sees the files in `folder`; `said` becomes all
-/// that it says.
-std::vector<std::string> statesOf(const std::string& part, const fs::path& expected,
-                                  const fs::path& folder, std::string* said = nullptr) {
-  const TemporaryFolder out;
-  const Ended ended = Running({kBuild / "bin/ggrade-check", part, "--expected", expected,
-                               "--folder", folder, "--out", out.path() / "a.html", "--json"})
-                          .wait(100);
-  EXPECT_THAT(ended.exitCode, testing::AnyOf(0, 1)) << ended.errors;
-  if (said) *said = ended.out;
-  std::vector<std::string> states;
-  const json all = json::parse(ended.out);
-  for (const json& todo : all.at(0).at("todos")) states.push_back(todo.at("state"));
-  return states;
-}
-
-/// Each step's program: exactly the first k TODOs are done, nothing else is begun.
-void expectEveryStepKnown(const ggrade::Part& part, const fs::path& expected) {
-  for (std::size_t k = 0; k <= part.todos.size(); ++k) {
-    const TemporaryFolder step;
-    const Ended ended =
-        runTool({"derive", part.id, "--done", std::to_string(k), "--out", step.path()});
-    ASSERT_EQ(ended.exitCode, 0) << ended.errors;
-    std::vector<std::string> wanted(part.todos.size(), "not_begun");
-    std::fill_n(wanted.begin(), k, "done");
-    std::string said;
-    EXPECT_EQ(statesOf(part.id, expected, step.path(), &said), wanted)
-        << part.id << " after step " << k << '\n'
-        << said;
+/// The kit of one assignment, made once for all tests that only look at it.
+class Kit : public testing::Test {
+protected:
+  static void SetUpTestSuite() {
+    made_ = std::make_unique<TemporaryFolder>();
+    released_ = runTool({"release", "--parts", "ssao", "--out", kit()}, {}, 600);
+    ASSERT_EQ(released_.exitCode, 0) << released_.errors;
   }
+  static void TearDownTestSuite() { made_.reset(); }
+  static fs::path kit() { return made_->path() / "kit"; }
+
+  static inline std::unique_ptr<TemporaryFolder> made_;
+  static inline Ended released_;
+};
+
+/// All assignments: long_kit_test.cpp.
+TEST_F(Kit, HoldsNoSolutionAndKnowsEveryStep) {
+  expectKit(kit(), released_, {ggrade::Assignment::load(kSource / "assignments/ssao")});
 }
 
-TEST(Kit, HoldsNoSolutionAndKnowsEveryStep) {
-  const TemporaryFolder folder;
-  const fs::path kit = folder.path() / "kit";
-  const Ended ended = runTool({"release", "--out", kit}, {}, 3000);
-  ASSERT_EQ(ended.exitCode, 0) << ended.errors;
-  EXPECT_THAT(names(kit),
-              IsSupersetOf({"CMakeLists.txt", "README.md", "README.ja.md", "assignments", "cmake",
-                            "expected", "framework", "ggrade", "grader"}));
-  EXPECT_THAT(names(kit), Not(Contains("solutions")));
-  EXPECT_THAT(names(kit), Not(Contains("tests")));
-  EXPECT_TRUE(fs::exists(folder.path() / "kit.zip"));
-  EXPECT_THAT(ended.out, HasSubstr("kit.zip"));
-  for (const ggrade::Assignment& assignment : ggrade::loadAssignments(kSource / "assignments")) {
-    SCOPED_TRACE(assignment.id);
-    // No line of it where the assignment's own files are, and no block of several lines anywhere.
-    EXPECT_GE(expectNoSolutionIn(assignment, kit / "assignments" / assignment.id), 1);
-    for (const ggrade::Part& part : assignment.parts)
-      expectNoSolutionIn(assignment, kit / "expected" / part.id);
-    for (const char* name : {"framework", "grader", "cmake"})
-      expectNoSolutionIn(assignment, kit / name, true);
-    for (const auto& entry : fs::directory_iterator(kSource / "assignments" / assignment.id))
-      if (entry.is_regular_file()) {
-        EXPECT_EQ(read(kit / "assignments" / assignment.id / entry.path().filename()),
-                  read(entry.path()));
-      }
-    for (const ggrade::Part& part : assignment.parts) {
-      expectEveryStepKnown(part, kit / "expected");
-      // The finished program's passes as numbers, for whoever wants to compare.
-      EXPECT_FALSE(names(kit / "expected" / part.id / "reference").empty()) << part.id;
-    }
-  }
+/// As a student's machine does it, but for what the same compiler has made of the same sources.
+TEST_F(Kit, BuildsAndChecksOnItsOwn) {
+  const std::string launcher =
+      (kSource / "tests/grading/reuse_object.sh").string() + ';' + kBuild.string();
+  expectThatItChecks(
+      kit(), {{"CMAKE_CXX_COMPILER_LAUNCHER", launcher}, {"CMAKE_C_COMPILER_LAUNCHER", launcher}});
 }
 
-TEST(Kit, TodosThatAreNotNamedComeFilledIn) {
+TEST(Release, TodosThatAreNotNamedComeFilledIn) {
   const TemporaryFolder folder;
   const fs::path kit = folder.path() / "kit";
   const Ended ended =
@@ -107,21 +68,7 @@ TEST(Kit, TodosThatAreNotNamedComeFilledIn) {
               ElementsAre("done", "done"));
 }
 
-TEST(Kit, BuildsAndChecksOnItsOwn) {
-  const TemporaryFolder folder;
-  const fs::path kit = folder.path() / "kit";
-  ASSERT_EQ(runTool({"release", "--parts", "ssao", "--out", kit}, {}, 600).exitCode, 0);
-  const Ended ended =
-      Running({kit / "ggrade", "check", "--json"}, {{"GGRADE_PRESET", "release"}}, kit).wait(900);
-  ASSERT_EQ(ended.exitCode, 0) << ended.errors;
-  const json part = json::parse(ended.out).at(0);
-  EXPECT_EQ(part.at("part"), "ssao");
-  EXPECT_EQ(part.at("outcome"), "graded");
-  for (const json& todo : part.at("todos")) EXPECT_EQ(todo.at("state"), "not_begun");
-  EXPECT_THAT(read(kit / "out/check-ssao.html"), HasSubstr("data:image/png"));
-}
-
-TEST(Kit, AnAutogradersArchiveHasItsTwoScriptsOnTop) {
+TEST(Release, AnAutogradersArchiveHasItsTwoScriptsOnTop) {
   const TemporaryFolder folder;
   const fs::path made = folder.path() / "autograder";
   const Ended ended = runTool(
@@ -141,7 +88,7 @@ TEST(Kit, AnAutogradersArchiveHasItsTwoScriptsOnTop) {
 
 /// What run_autograder does with a tool that answers as it is told: leaves results where they are
 /// looked for, and tries again without a sandbox only where there is none.
-TEST(Kit, AnAutograderLeavesResults) {
+TEST(Release, AnAutograderLeavesResults) {
   const TemporaryFolder folder;
   const fs::path root = folder.path() / "root";
   ASSERT_EQ(
@@ -169,7 +116,7 @@ TEST(Kit, AnAutograderLeavesResults) {
   EXPECT_EQ(json::parse(read(root / "results/results.json")).at("score"), 8);
 }
 
-TEST(Kit, WrongWordsAreNamedBeforeAnyWork) {
+TEST(Release, WrongWordsAreNamedBeforeAnyWork) {
   const TemporaryFolder folder;
   const auto said = [&](Arguments arguments) {
     arguments.insert(arguments.begin(), "release");

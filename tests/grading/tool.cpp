@@ -1,7 +1,11 @@
 #include "tool.hpp"
 
 #include "authoring/solution_blocks.hpp"
+#include "calibration/look.hpp"
+#include "calibration/subject.hpp"
+#include "calibration/verdicts.hpp"
 #include "grading/patched.hpp"
+#include "report/results_json.hpp"
 
 #include <gmock/gmock.h>
 
@@ -138,11 +142,36 @@ Submission Submission::stub() {
   return made;
 }
 
+namespace {
+
+/// The solution with the patch of this name in that folder of its assignment.
+void writePatch(const std::string& folder, const std::string& name, const fs::path& into) {
+  for (const auto& assignment : ggrade::loadAssignments(kSource / "assignments")) {
+    const fs::path solutions = kSource / "solutions" / assignment.id;
+    const fs::path patch = solutions / folder / (name + ".patch");
+    if (fs::exists(patch))
+      return ggrade::grading::writePatched(assignment, solutions, {patch}, into);
+  }
+  throw std::runtime_error("there is no patch " + name + " in " + folder);
+}
+
+} // namespace
+
 Submission Submission::example(const std::string& name) {
   Submission made;
-  const fs::path solutions = kSource / "solutions/floor";
-  ggrade::grading::writePatched(ggrade::Assignment::load(kSource / "assignments/floor"), solutions,
-                                {solutions / "examples" / (name + ".patch")}, made.path());
+  writePatch("examples", name, made.path());
+  return made;
+}
+
+Submission Submission::mistake(const std::string& name) {
+  Submission made;
+  writePatch("mistakes", name, made.path());
+  return made;
+}
+
+Submission Submission::variant(const std::string& name) {
+  Submission made;
+  writePatch("variants", name, made.path());
   return made;
 }
 
@@ -221,17 +250,108 @@ std::string Graded::text() const {
   return out.str();
 }
 
-Graded gradePart(const std::string& part, const fs::path& folder, const Arguments& more,
-                 const Environment& environment) {
+namespace grading = ggrade::grading;
+namespace calibration = ggrade::calibration;
+using ggrade::rubric::SceneFolders;
+
+namespace {
+
+void quietly(const std::string&, std::size_t, std::size_t) {}
+
+} // namespace
+
+Grader& Grader::of(const std::string& id, const grading::Draw& draw) {
+  static std::unique_ptr<Grader> last;
+  static std::string lastId;
+  static grading::Draw lastDraw;
+  if (!last || lastId != id || lastDraw != draw) {
+    last.reset(); // one judge's memory at a time
+    last = std::make_unique<Grader>(id, draw);
+    lastId = id;
+    lastDraw = draw;
+  }
+  return *last;
+}
+
+Grader::Grader(const std::string& id, const grading::Draw& draw)
+    : target_(ggrade::findTarget(kSource / "assignments", id)),
+      solutions_(kSource / "solutions" / target_.assignment.id),
+      plan_(grading::drawScenes(target_, solutions_, draw)),
+      references_(grading::prepareReferences(target_, solutions_, plan_, quietly)),
+      judge_(target_, references_.scenes),
+      pictures_(std::make_shared<grading::ReferencePictures>()),
+      diagnosing_(grading::diagnosing(target_, solutions_, quietly)) {}
+
+grading::GradeOptions Grader::options(const How& how) const {
+  grading::GradeOptions options;
+  options.solution = how.solution;
+  options.pictures = options.twice = how.pictures;
+  options.referencePictures = pictures_;
+  if (how.diagnosis) options.examining = diagnosing_;
+  return options;
+}
+
+grading::Built Grader::build(const fs::path& folder, const How& how) const {
+  grading::GradeOptions all = options(how);
+  all.upload = folder;
+  return grading::buildSubmission(target_, all);
+}
+
+Graded Grader::grade(const grading::Built& built, const How& how, std::size_t scenes) {
+  grading::GradeOptions all = options(how);
+  all.judging = [this](const auto& folders, const fs::path& work, std::string& problem,
+                       const std::vector<std::string>& again) {
+    return judge(folders, work, problem, again);
+  };
+  grading::ScenePlan plan = plan_;
+  grading::References references = references_;
+  plan.scenes.resize(std::min(scenes, plan.scenes.size()));
+  references.scenes.resize(plan.scenes.size());
+  Graded graded;
+  graded.result = grading::gradeBuilt(target_, plan, references, built, all);
+  graded.results = nlohmann::json::parse(
+      ggrade::report::resultsJson(graded.result, ggrade::report::Reveal::names));
+  std::cout << graded.text() << '\n'; // what the log of a failure needs
+  return graded;
+}
+
+std::vector<ggrade::report::Item> Grader::judge(std::vector<SceneFolders> scenes,
+                                                const fs::path& work, std::string& problem,
+                                                const std::vector<std::string>& again) {
+  // The judge knows all scenes of the plan.
+  std::vector<std::string> names;
+  for (const SceneFolders& scene : scenes) names.push_back(scene.name);
+  const auto& all = references_.scenes;
+  scenes.insert(scenes.end(), all.begin() + std::ptrdiff_t(scenes.size()), all.end());
+  std::vector<ggrade::report::Item> items = judge_.judge(scenes, work, problem, again);
+  if (names.size() < all.size()) calibration::keepScenes(items, names);
+  return items;
+}
+
+Graded gradePart(const std::string& part, const fs::path& folder, const How& how) {
+  Grader& grader = Grader::of(part, how.draw);
+  return grader.grade(grader.build(folder, how), how);
+}
+
+Graded gradePart(const std::string& part, const Submission& submission, const How& how) {
+  return gradePart(part, submission.path(), how);
+}
+
+Graded grade(const fs::path& folder, const How& how) {
+  return gradePart("mirror", folder, how);
+}
+
+Graded grade(const Submission& submission, const How& how) {
+  return grade(submission.path(), how);
+}
+
+Graded gradeByTool(const fs::path& folder, const Arguments& more, const Environment& environment) {
   const TemporaryFolder results;
-  // Most tests are about points; known mistakes need not be drawn for them.
-  Arguments arguments = {"grade", part, folder, "--out", results.path() / "out", "--no-diagnosis"};
-  const bool diagnosed = std::ranges::find(more, kDiagnosed) != more.end();
-  if (diagnosed) arguments.pop_back();
-  std::ranges::copy_if(more, std::back_inserter(arguments),
-                       [](const std::string& one) { return one != kDiagnosed; });
-  // The first diagnosis of a part draws all of its mistakes.
-  Graded graded{runTool(arguments, environment, diagnosed ? 400 : 100), {}};
+  Arguments arguments = {"grade",         "mirror", folder, "--out", results.path() / "out",
+                         "--no-diagnosis"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Graded graded;
+  graded.ended = runTool(arguments, environment);
   EXPECT_FALSE(graded.ended.late);
   const fs::path file = results.path() / "out/results.json";
   if (!fs::exists(file)) throw std::runtime_error("no results.json: " + graded.ended.errors);
@@ -240,16 +360,59 @@ Graded gradePart(const std::string& part, const fs::path& folder, const Argument
   return graded;
 }
 
-Graded gradePart(const std::string& part, const Submission& submission) {
-  return gradePart(part, submission.path());
+Graded gradeByTool(const Submission& submission, const Arguments& more,
+                   const Environment& environment) {
+  return gradeByTool(submission.path(), more, environment);
 }
 
-Graded grade(const fs::path& folder, const Arguments& more, const Environment& environment) {
-  return gradePart("mirror", folder, more, environment);
+void PrintTo(const Catalogued& one, std::ostream* out) {
+  *out << one.program.name;
 }
 
-Graded grade(const Submission& submission, const Arguments& more, const Environment& environment) {
-  return grade(submission.path(), more, environment);
+std::vector<Catalogued> catalogue() {
+  std::vector<Catalogued> all;
+  // The folder as it was compiled in: kSource may not be there yet.
+  const fs::path root = GGRADE_SOURCE_DIR;
+  for (const auto& assignment : ggrade::loadAssignments(root / "assignments"))
+    for (const ggrade::Part& part : assignment.parts) {
+      const fs::path solutions = root / "solutions" / assignment.id;
+      const auto known = grading::loadCatalogue(assignment, part, solutions, solutions);
+      for (auto& program : calibration::programsOf(assignment, known, solutions, {})) {
+        if (program.kind != calibration::Kind::mistake &&
+            program.kind != calibration::Kind::variant)
+          continue;
+        const grading::Mistake* mistake = known.mistake(program.name);
+        all.push_back({part.id, std::move(program), mistake ? mistake->shows : ""});
+      }
+    }
+  return all;
+}
+
+Graded gradeCatalogued(const Catalogued& one, bool allScenes) {
+  Grader& grader = Grader::of(one.part);
+  const auto& scenes = grader.plan().scenes;
+  std::size_t count = scenes.size();
+  if (!one.shows.empty() && !allScenes)
+    while (count > 1 &&
+           std::ranges::find(scenes[count - 1].tags, one.shows) == scenes[count - 1].tags.end())
+      --count;
+  const TemporaryFolder files;
+  const fs::path upload = files.path() / one.program.name;
+  grading::writePatched(grader.target().assignment,
+                        kSource / "solutions" / grader.target().assignment.id, one.program.patches,
+                        upload);
+  Graded graded = grader.grade(grader.build(upload), {}, count);
+  const auto verdicts =
+      calibration::judge(one.part, grader.target().items(),
+                         {{one.program, {calibration::scoreOf(graded.result)}, ""}});
+  EXPECT_THAT(verdicts.failures(), testing::IsEmpty());
+  return graded;
+}
+
+Graded gradeMistake(const std::string& name) {
+  for (const Catalogued& one : catalogue())
+    if (one.program.name == name) return gradeCatalogued(one, true);
+  throw std::runtime_error("there is no mistake " + name);
 }
 
 int expectNoSolutionIn(const ggrade::Assignment& assignment, const fs::path& folder,

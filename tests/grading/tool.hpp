@@ -1,14 +1,17 @@
 #pragma once
 /// \file
-/// The real tool, run as a user runs it in a process of its own, and submissions made for it.
+/// Submissions, graded in this process or by the real tool, which runs as a user runs it.
 
 #include "../unit/framework_temporary_folder.hpp"
 
-#include "assignment/assignment.hpp"
+#include "calibration/programs.hpp"
+#include "grading/grade.hpp"
+#include "grading/judge_server.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -74,8 +77,12 @@ public:
   static Submission solution();
   /// As they are handed out.
   static Submission stub();
-  /// The solution with `solutions/floor/examples/<name>.patch`.
+  /// The solution with a patch of `examples/`.
   static Submission example(const std::string& name);
+  /// The solution with a patch of `mistakes/`.
+  static Submission mistake(const std::string& name);
+  /// The solution with a patch of `variants/`.
+  static Submission variant(const std::string& name);
   /// With the first `count` TODOs of a part filled in.
   static Submission firstSteps(int count, const std::string& part = "mirror");
   /// Only floor.cpp, with this text.
@@ -94,8 +101,9 @@ private:
 
 /// One graded submission.
 struct Graded {
-  Ended ended;
-  nlohmann::json results; ///< results.json; null if there is none
+  Ended ended;                     ///< of the tool, where it graded
+  nlohmann::json results;          ///< results.json; null if there is none
+  ggrade::report::Result result{}; ///< where it was graded in this process
 
   std::string outcome() const;
   std::string detail() const;
@@ -108,19 +116,79 @@ struct Graded {
   std::string text() const; ///< "graded, 78.6 + 0", for messages
 };
 
-/// Among further arguments: grade with a diagnosis, which is left out otherwise.
-inline const std::string kDiagnosed = "(with a diagnosis)";
+/// How a submission is graded.
+struct How {
+  bool solution = false; ///< a trusted folder of solutions/
+  /// With the report's scenes and frames, and the second run that tells whether a program draws the
+  /// same again.
+  bool pictures = false;
+  bool diagnosis = false;
+  ggrade::grading::Draw draw{};
+};
 
-/// Grades for part `mirror`; a failure of the tool is a failure of the test.
-Graded grade(const Submission& submission, const Arguments& more = {},
-             const Environment& environment = {});
-Graded grade(const fs::path& folder, const Arguments& more = {},
-             const Environment& environment = {});
+/// Everything that the gradings of one target have in common, in this process: its scenes, the
+/// reference's pictures and a judge that stays. What a class is graded with, and as the tool does.
+class Grader {
+public:
+  /// The one of an assignment or part. Only the last one is kept: each holds a judge's memory.
+  static Grader& of(const std::string& id, const ggrade::grading::Draw& draw = {});
+
+  Grader(const std::string& id, const ggrade::grading::Draw& draw);
+
+  const ggrade::Target& target() const { return target_; }
+  const ggrade::grading::ScenePlan& plan() const { return plan_; }
+  const ggrade::grading::References& references() const { return references_; }
+  ggrade::grading::Built build(const fs::path& folder, const How& how = {}) const;
+  /// \param scenes only the first so many of the plan; what none of them shows is given
+  Graded grade(const ggrade::grading::Built& built, const How& how = {},
+               std::size_t scenes = std::size_t(-1));
+
+private:
+  ggrade::grading::GradeOptions options(const How& how) const;
+  std::vector<ggrade::report::Item> judge(std::vector<ggrade::rubric::SceneFolders> scenes,
+                                          const fs::path& work, std::string& problem,
+                                          const std::vector<std::string>& again);
+
+  ggrade::Target target_;
+  fs::path solutions_;
+  ggrade::grading::ScenePlan plan_;
+  ggrade::grading::References references_;
+  ggrade::grading::JudgeServer judge_;
+  std::shared_ptr<ggrade::grading::ReferencePictures> pictures_;
+  ggrade::grading::Examining diagnosing_; ///< keeps what it has learnt of the reference
+};
+
+/// Grades for part `mirror`, in this process.
+Graded grade(const Submission& submission, const How& how = {});
+Graded grade(const fs::path& folder, const How& how = {});
 
 /// Grades for another part, or for "floor": all parts.
-Graded gradePart(const std::string& part, const fs::path& folder, const Arguments& more = {},
-                 const Environment& environment = {});
-Graded gradePart(const std::string& part, const Submission& submission);
+Graded gradePart(const std::string& part, const fs::path& folder, const How& how = {});
+Graded gradePart(const std::string& part, const Submission& submission, const How& how = {});
+
+/// The same by the real tool, without a diagnosis; a failure of the tool is a failure of the test.
+Graded gradeByTool(const fs::path& folder, const Arguments& more = {},
+                   const Environment& environment = {});
+Graded gradeByTool(const Submission& submission, const Arguments& more = {},
+                   const Environment& environment = {});
+
+/// A patch of a part's catalogue, and what must become of it.
+struct Catalogued {
+  std::string part;
+  ggrade::calibration::Program program;
+  std::string shows; ///< mistake: tag of the scenes that show it
+};
+/// Google Test names a case by it.
+void PrintTo(const Catalogued& one, std::ostream* out);
+
+/// Every mistake and variant of every part.
+std::vector<Catalogued> catalogue();
+/// Grades one as `calibrate` does, with the assignment's own seed, and expects that it loses what
+/// it must and nothing that it may not. A mistake is graded in the public scene and as far as those
+/// that show it, unless all scenes are asked for; a variant in all.
+Graded gradeCatalogued(const Catalogued& one, bool allScenes = false);
+/// The mistake with this name, in all scenes.
+Graded gradeMistake(const std::string& name);
 
 /// Expects no line of an assignment's solution in any file under `handedOut`; with `wholeBlocks` no
 /// block of several lines (single ones any program has). Returns the number of blocks that the

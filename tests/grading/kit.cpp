@@ -1,0 +1,89 @@
+#include "kit.hpp"
+
+#include <gmock/gmock.h>
+
+namespace tool {
+
+using nlohmann::json;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsSupersetOf;
+using testing::Not;
+
+std::vector<std::string> statesOf(const std::string& part, const fs::path& expected,
+                                  const fs::path& folder, std::string* said) {
+  const TemporaryFolder out;
+  const Ended ended = Running({kBuild / "bin/ggrade-check", part, "--expected", expected,
+                               "--folder", folder, "--out", out.path() / "a.html", "--json"})
+                          .wait(100);
+  EXPECT_THAT(ended.exitCode, testing::AnyOf(0, 1)) << ended.errors;
+  if (said) *said = ended.out;
+  std::vector<std::string> states;
+  const json all = json::parse(ended.out);
+  for (const json& todo : all.at(0).at("todos")) states.push_back(todo.at("state"));
+  return states;
+}
+
+namespace {
+
+/// Each step's program: exactly the first k TODOs are done, nothing else is begun.
+void expectEveryStepKnown(const ggrade::Part& part, const fs::path& expected) {
+  for (std::size_t k = 0; k <= part.todos.size(); ++k) {
+    const TemporaryFolder step;
+    const Ended ended =
+        runTool({"derive", part.id, "--done", std::to_string(k), "--out", step.path()});
+    ASSERT_EQ(ended.exitCode, 0) << ended.errors;
+    std::vector<std::string> wanted(part.todos.size(), "not_begun");
+    std::fill_n(wanted.begin(), k, "done");
+    std::string said;
+    EXPECT_EQ(statesOf(part.id, expected, step.path(), &said), wanted)
+        << part.id << " after step " << k << '\n'
+        << said;
+  }
+}
+
+} // namespace
+
+void expectKit(const fs::path& kit, const Ended& released,
+               const std::vector<ggrade::Assignment>& assignments) {
+  EXPECT_THAT(names(kit),
+              IsSupersetOf({"CMakeLists.txt", "README.md", "README.ja.md", "assignments", "cmake",
+                            "expected", "framework", "ggrade", "grader"}));
+  EXPECT_THAT(names(kit), Not(Contains("solutions")));
+  EXPECT_THAT(names(kit), Not(Contains("tests")));
+  EXPECT_TRUE(fs::exists(kit.string() + ".zip"));
+  EXPECT_THAT(released.out, HasSubstr(kit.filename().string() + ".zip"));
+  for (const auto& any : ggrade::loadAssignments(kSource / "assignments"))
+    for (const char* name : {"framework", "grader", "cmake"})
+      expectNoSolutionIn(any, kit / name, true);
+  for (const ggrade::Assignment& assignment : assignments) {
+    SCOPED_TRACE(assignment.id);
+    // No line of it where the assignment's own files are, and no block of several lines anywhere.
+    EXPECT_GE(expectNoSolutionIn(assignment, kit / "assignments" / assignment.id), 1);
+    for (const ggrade::Part& part : assignment.parts)
+      expectNoSolutionIn(assignment, kit / "expected" / part.id);
+    for (const auto& entry : fs::directory_iterator(kSource / "assignments" / assignment.id))
+      if (entry.is_regular_file()) {
+        EXPECT_EQ(read(kit / "assignments" / assignment.id / entry.path().filename()),
+                  read(entry.path()));
+      }
+    for (const ggrade::Part& part : assignment.parts) {
+      expectEveryStepKnown(part, kit / "expected");
+      // The finished program's passes as numbers, for whoever wants to compare.
+      EXPECT_FALSE(names(kit / "expected" / part.id / "reference").empty()) << part.id;
+    }
+  }
+}
+
+void expectThatItChecks(const fs::path& kit, Environment environment) {
+  environment.emplace_back("GGRADE_PRESET", "release");
+  const Ended ended = Running({kit / "ggrade", "check", "--json"}, environment, kit).wait(900);
+  ASSERT_EQ(ended.exitCode, 0) << ended.errors;
+  const json part = json::parse(ended.out).at(0);
+  EXPECT_EQ(part.at("part"), "ssao");
+  EXPECT_EQ(part.at("outcome"), "graded");
+  for (const json& todo : part.at("todos")) EXPECT_EQ(todo.at("state"), "not_begun");
+  EXPECT_THAT(read(kit / "out/check-ssao.html"), HasSubstr("data:image/png"));
+}
+
+} // namespace tool
