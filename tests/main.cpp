@@ -4,20 +4,23 @@
 //   GGRADE_TEST_NAME     in a file of this name
 //   GGRADE_TEST_ONLY     a regular expression: only cases run in whose name it is found
 //   GGRADE_TEST_EXCEPT   likewise: those don't
-//   GGRADE_TEST_LONG     set: also those whose suite is named Long...
+//   GGRADE_TEST_LONG     set: also those whose suite, or its parameters, are named Long...
 //   GGRADE_TEST_LIST     set: the cases are noted as "case" and a name, and none runs
 //   GGRADE_TEST_SECONDS  the longest that one case may take
 //
-// What a program notes are lines of fields between tabs: "cases" and how many it will run;
-// "begun" and a name; "passed", "failed" or "skipped", the name and the seconds. A case that began
-// and did not end has crashed, or took too long.
+// What a program notes are lines of fields between tabs: "cases" and how many it will run; "begun"
+// and a name; "passed", "failed" or "skipped", the name and the seconds. A case that began and did
+// not end has crashed, or took too long. "setting up" and "set up", with the seconds, are about
+// what a suite's cases share; "broken", with a suite's name, says that this failed.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <regex>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fcntl.h>
@@ -39,15 +42,8 @@ std::string nameOf(const testing::TestInfo& test) {
 
 /// Suites of parameters are called Parameters/Suite.
 bool isLong(const testing::TestInfo& test) {
-  const std::string suite = test.test_suite_name();
-  return suite.compare(suite.rfind('/') + 1, 4, "Long") == 0;
-}
-
-template <class Use> void forEachCase(const Use& use) {
-  const testing::UnitTest& all = *testing::UnitTest::GetInstance();
-  for (int i = 0; i < all.total_test_suite_count(); ++i)
-    for (int j = 0; j < all.GetTestSuite(i)->total_test_count(); ++j)
-      use(*all.GetTestSuite(i)->GetTestInfo(j));
+  const std::string suite = '/' + std::string(test.test_suite_name());
+  return suite.find("/Long") != suite.npos;
 }
 
 /// The names of the cases that are asked for.
@@ -95,15 +91,31 @@ public:
   void OnTestProgramStart(const testing::UnitTest& all) override {
     note("cases\t" + std::to_string(all.test_to_run_count()));
   }
-  void OnTestStart(const testing::TestInfo& test) override { note("begun\t" + nameOf(test)); }
+  void OnTestSuiteStart(const testing::TestSuite& suite) override {
+    note(std::string("setting up\t") + suite.name());
+    isSetUp_ = false;
+    start_ = std::chrono::steady_clock::now();
+  }
+  void OnTestStart(const testing::TestInfo& test) override {
+    if (!std::exchange(isSetUp_, true)) {
+      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+      note(std::string("set up\t") + test.test_suite_name() + '\t' + std::to_string(taken.count()));
+    }
+    note("begun\t" + nameOf(test));
+  }
   void OnTestEnd(const testing::TestInfo& test) override {
     const testing::TestResult& result = *test.result();
     const char* const how = result.Failed() ? "failed" : result.Skipped() ? "skipped" : "passed";
     note(how + ('\t' + nameOf(test)) + '\t' + std::to_string(result.elapsed_time() / 1000.0));
   }
+  void OnTestSuiteEnd(const testing::TestSuite& suite) override {
+    if (suite.ad_hoc_test_result().Failed()) note(std::string("broken\t") + suite.name());
+  }
 
 private:
   int file_ = -1;
+  bool isSetUp_ = false;
+  std::chrono::steady_clock::time_point start_;
 };
 
 /// SIGALRM ends the process where a case takes too long.

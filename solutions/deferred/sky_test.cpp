@@ -9,8 +9,6 @@ namespace {
 using glm::dvec3;
 using glm::vec3;
 
-constexpr double kPi = std::numbers::pi;
-
 void expectNear(const dvec3& found, const dvec3& wanted, double by) {
   EXPECT_LE(glm::length(found - wanted), by)
       << found.x << " " << found.y << " " << found.z << " instead of " << wanted.x << " "
@@ -86,7 +84,7 @@ TEST(EnvironmentMap, TexelsCoverTheSphere) {
     const EnvironmentMap map{width, width / 2, {}};
     double sum = 0;
     for (int y = 0; y < map.height; ++y) sum += width * solidAngle(map, y);
-    EXPECT_NEAR(sum, 4 * kPi, 1e-9);
+    EXPECT_NEAR(sum, 4 * std::numbers::pi, 1e-9);
   }
 }
 
@@ -108,10 +106,11 @@ TEST(EnvironmentMap, HasAllOfTheSunsLightAndWhereItIs) {
           light += share;
           middle += share.x * dvec3(directionOf({(x + 0.5) / width, (y + 0.5) / with.height}));
         }
-        const double whole = 2 * kPi * (1 - std::cos(double(radius)));
+        const double whole = 2 * std::numbers::pi * (1 - std::cos(double(radius)));
         expectNear(light / whole, {1000, 2000, 3000}, 0.5);
         if (width > 2) { // within a texel's diagonal, but for the poles
-          EXPECT_LT(glm::length(glm::normalize(middle) - dvec3(towards)), 1.5 * kPi / with.height);
+          EXPECT_LT(glm::length(glm::normalize(middle) - dvec3(towards)),
+                    1.5 * std::numbers::pi / with.height);
         }
       }
 }

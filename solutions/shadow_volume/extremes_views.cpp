@@ -72,9 +72,10 @@ protected:
   }
 };
 
-constexpr unsigned kBatches = 10;
+constexpr unsigned kBatches = 10, kOften = 3; // the first few, however little time there is
 constexpr int kViews = 20, kInVolume = 5; // of a batch
-INSTANTIATE_TEST_SUITE_P(ShadowVolume, Anywhere, testing::Range(0u, kBatches));
+INSTANTIATE_TEST_SUITE_P(ShadowVolume, Anywhere, testing::Range(0u, kOften));
+INSTANTIATE_TEST_SUITE_P(LongShadowVolume, Anywhere, testing::Range(kOften, kBatches));
 
 TEST_P(Anywhere, OutsideSolidsEveryPixelIsRight) {
   Views views(GetParam());

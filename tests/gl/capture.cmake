@@ -25,7 +25,7 @@ execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
   OUTPUT_VARIABLE libasan OUTPUT_STRIP_TRAILING_WHITESPACE)
 string(REPLACE ";" "," installed "${GGRADE_CAPTURE_INSTALLED}")
 
-ggrade_test(capture_test gl
+ggrade_test(capture_test gl UNITY
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/capture_run.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_errors_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_exports_test.cpp
@@ -36,7 +36,7 @@ ggrade_test(capture_test gl
     ${CMAKE_CURRENT_LIST_DIR}/capture_replacements_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_run_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_traces.cpp
-  LIBRARIES ggrade_channel TIMEOUT 120)
+  LIBRARIES ggrade_channel COST 15)
 target_compile_definitions(capture_test PRIVATE
   GGRADE_CAPTURE_FOLDER="${CMAKE_BINARY_DIR}/capture"
   GGRADE_CAPTURE_PROGRAMS="${capture_programs}"

@@ -6,10 +6,10 @@ set_target_properties(sandbox_attacker PROPERTIES
   COMPILE_OPTIONS "-Wall;-Wextra;-Wno-infinite-recursion"
   LINK_OPTIONS "")
 
-ggrade_test(sandbox_hostile_test hostile
+ggrade_test(sandbox_hostile_test hostile UNITY
   SOURCES sandbox_fixture.cpp sandbox_ends_test.cpp sandbox_files_test.cpp sandbox_kernel_test.cpp
     sandbox_memory_test.cpp sandbox_processes_test.cpp sandbox_work_test.cpp
-  LIBRARIES ggrade_sandbox)
+  LIBRARIES ggrade_sandbox SHARDS 2 COST 30)
 target_compile_definitions(sandbox_hostile_test PRIVATE GGRADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 add_dependencies(sandbox_hostile_test sandbox_attacker)
 # Next to the test, where it finds them also when it runs as a copy for an ordinary user.

@@ -1,6 +1,7 @@
+#include "gradebook_samples.hpp"
+
 #include "assignment/usage_error.hpp"
 #include "gradebook/csv.hpp"
-#include "gradebook/worksheet.hpp"
 
 #include <gmock/gmock.h>
 
@@ -12,25 +13,16 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::ThrowsMessage;
 
-const std::string kHeader = "Student,ID,SIS User ID,SIS Login ID,Section,Floor (12345),\"Floor, "
-                            "again (12346)\",Current Score,Final Score\r\n";
+const std::string kCanvasHeader =
+    "Student,ID,SIS User ID,SIS Login ID,Section,Floor (12345),\"Floor, "
+    "again (12346)\",Current Score,Final Score\r\n";
 const std::string kPoints = "    Points Possible,,,,,20.0,10,(read only),(read only)\r\n";
-const std::string kGradebook = kHeader + ",,,,,Manual Posting,,,\r\n" + kPoints +
+const std::string kGradebook = kCanvasHeader + ",,,,,Manual Posting,,,\r\n" + kPoints +
                                "\"One, Student\",101,s-1,student1,CG,,5.0,50,50\r\n"
                                "\"Two, Student\",102,s-2,student2,CG,7.0,,,\r\n"
                                "\"Three, Student\",103,s-3,student3,CG,EX,,,\r\n"
                                "\"Four, Student\",104,s-4,student4,CG,N/A,,,\r\n"
                                "\"Student, Test\",199,,0a1b2c,CG,,,,\r\n";
-
-Entry entry(const std::string& student, std::optional<double> score) {
-  return {student, "", score, 100};
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), by);
-}
 
 TEST(Canvas, FillsInOneAssignmentAndNoOtherByte) {
   const Filled filled =

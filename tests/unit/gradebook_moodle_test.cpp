@@ -1,6 +1,7 @@
+#include "gradebook_samples.hpp"
+
 #include "assignment/usage_error.hpp"
 #include "gradebook/csv.hpp"
-#include "gradebook/worksheet.hpp"
 
 #include <gmock/gmock.h>
 
@@ -35,23 +36,12 @@ const std::string kJapanese =
     "\"参加者 １２３５\",\"学生,2\",\"提出なし\",\"-\",\"50\",\"いいえ\",\"-\",\"-\",\"\"\r\n"
     "\"参加者1236\",\"学生\r\n3\",\"提出なし\",\"\",\"50\",\"はい\",\"-\",\"-\",\"\"";
 
-Entry entry(const std::string& student, std::optional<double> score,
-            const std::string& feedback = "") {
-  return {student, "", score, 100, 0, feedback};
-}
-
 // All bytes are those of the worksheet but for the cells of `columns` in `row`.
 void expectOnlyChanged(const std::string& filled, const std::string& worksheet, std::size_t row,
                        const std::map<std::size_t, std::string>& cells) {
   Csv expected(worksheet, "sheet.csv");
   for (const auto& [column, text] : cells) expected.set(row, column, text);
   EXPECT_EQ(filled, expected.bytes());
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  const std::size_t at = text.find(what);
-  EXPECT_NE(at, std::string::npos) << what;
-  return text.replace(at, what.size(), by);
 }
 
 TEST(Moodle, FillsInAnEnglishWorksheetAndNoOtherByte) {

@@ -9,8 +9,9 @@
 namespace ggrade::gradebook {
 namespace {
 
-const std::string kHeader = "assignment,duedate,timestamp,student_id,last_name,first_name,email,"
-                            "raw_score,late_submission_penalty,score,max_score\n";
+const std::string kNeutralHeader =
+    "assignment,duedate,timestamp,student_id,last_name,first_name,email,"
+    "raw_score,late_submission_penalty,score,max_score\n";
 
 TEST(NeutralCsv, HasARowForEveryEntry) {
   EXPECT_EQ(
@@ -18,7 +19,7 @@ TEST(NeutralCsv, HasARowForEveryEntry) {
                  {{"1234", "学生 1", 87.456, 100, 0, "", "2026-11-20T10:00+09:00"},
                   {"1235", "Student, Two", 60, 100, 25.5, "", "2026-11-22T10:00+09:00"},
                   {"1236", "", 10, 100, 50}}),
-      kHeader +
+      kNeutralHeader +
           "floor,2026-11-20T23:59+09:00,2026-11-20T10:00+09:00,1234,学生 1,,,87.46,0,87.46,100\n"
           "floor,2026-11-20T23:59+09:00,2026-11-22T10:00+09:00,1235,\"Student, Two\",,,60,25.5,"
           "34.5,100\n"
@@ -27,7 +28,7 @@ TEST(NeutralCsv, HasARowForEveryEntry) {
 
 TEST(NeutralCsv, TellsNotGradableFromZero) {
   EXPECT_EQ(neutralCsv("floor", "", {{"1", "a", {}, 100}, {"2", "b", 0, 100}}),
-            kHeader + "floor,,,1,a,,,,,,100\nfloor,,,2,b,,,0,0,0,100\n");
+            kNeutralHeader + "floor,,,1,a,,,,,,100\nfloor,,,2,b,,,0,0,0,100\n");
 }
 
 TEST(NeutralCsv, NeutralizesEveryText) {

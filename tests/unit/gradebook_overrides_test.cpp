@@ -12,10 +12,10 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::ThrowsMessage;
 
-const std::string kHeader = "student,item,points,reason,who\n";
+const std::string kOverridesHeader = "student,item,points,reason,who\n";
 
 std::vector<Override> read(const std::string& lines) {
-  return readOverrides(kHeader + lines, "overrides.csv");
+  return readOverrides(kOverridesHeader + lines, "overrides.csv");
 }
 
 Overrides apply(const std::vector<MachineScore>& scores, const std::string& lines) {

@@ -19,12 +19,14 @@ using testing::Pair;
 
 namespace {
 
-const fs::path kSolution = GGRADE_SOURCE_DIR "/solutions/floor";
+const fs::path kFloorSolution = GGRADE_SOURCE_DIR "/solutions/floor";
 
 /// A solution's folder with scenes and a catalogue of its own.
 class CatalogueTest : public testing::Test {
 protected:
-  void SetUp() override { files_.write("floor/scenes.json", readFile(kSolution / "scenes.json")); }
+  void SetUp() override {
+    files_.write("floor/scenes.json", readFile(kFloorSolution / "scenes.json"));
+  }
 
   static std::string diff(const std::string& file = "floor.cpp") {
     return fmt("\ndiff --git a/solutions/floor/%s b/solutions/floor/%s\n", file);
@@ -160,7 +162,7 @@ TEST_F(CatalogueTest, SameMustNameAnotherMistake) {
 
 TEST_F(CatalogueTest, TwoPatchesAreAppliedInARowAndMayAddAFile) {
   const Assignment assignment = Assignment::load(GGRADE_SOURCE_DIR "/assignments/floor");
-  const std::string screen = readFile(kSolution / "screen.vert");
+  const std::string screen = readFile(kFloorSolution / "screen.vert");
   std::istringstream lines(screen);
   std::string first, second, third;
   std::getline(lines, first);
@@ -178,7 +180,7 @@ TEST_F(CatalogueTest, TwoPatchesAreAppliedInARowAndMayAddAFile) {
       "new file mode 100644\n--- /dev/null\n+++ b/solutions/floor/mine.glsl\n"
       "@@ -0,0 +1 @@\n+// new\n" +
           header + "@@ -2,2 +2,3 @@\n " + second + "\n+// two\n " + third + "\n");
-  grading::writePatched(assignment, kSolution, {one, two}, files_.path() / "both");
+  grading::writePatched(assignment, kFloorSolution, {one, two}, files_.path() / "both");
   EXPECT_EQ(readFile(files_.path() / "both/screen.vert"),
             first + "\n// one\n" + second + "\n// two\n" +
                 screen.substr(first.size() + second.size() + 2));

@@ -1,5 +1,7 @@
 // What every metric does with images that no right program makes.
 
+#include "not_finite.hpp"
+
 #include "image/compare.hpp"
 #include "image/difference.hpp"
 #include "image/flip.hpp"
@@ -17,9 +19,6 @@
 using namespace ggrade;
 
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInf = std::numeric_limits<float>::infinity();
 
 /// A frame with a bright square, as a window gives it: RGBA.
 Image frame() {

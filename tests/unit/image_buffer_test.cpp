@@ -1,3 +1,5 @@
+#include "not_finite.hpp"
+
 #include "image/image.hpp"
 #include "image/statistics.hpp"
 
@@ -14,9 +16,6 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInf = std::numeric_limits<float>::infinity();
 
 TEST(Image, TurnsBytesOfABottomFirstFrame) {
   const std::uint8_t bytes[] = {0, 51, 102, 255, /* upper row */ 255, 204, 153, 0};

@@ -1,3 +1,5 @@
+#include "not_finite.hpp"
+
 #include "image/compare.hpp"
 #include "image/neighbourhood.hpp"
 
@@ -15,8 +17,6 @@ using testing::HasSubstr;
 using testing::ThrowsMessage;
 
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// Stripes 4 pixels wide whose 15 edges lie at x = 2, 6, ..., 58, moved right by `shift`.
 Image stripes(int shift) {

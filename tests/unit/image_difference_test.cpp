@@ -1,3 +1,5 @@
+#include "not_finite.hpp"
+
 #include "image/colour_map.hpp"
 #include "image/difference.hpp"
 
@@ -14,8 +16,6 @@ using testing::ElementsAre;
 using testing::FloatNear;
 
 namespace {
-
-constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 double linear(double v) {
   return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);

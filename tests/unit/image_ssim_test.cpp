@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kC1 = 1e-4, kC2 = 9e-4;
 
-Image noise(int width, int height, int channels, unsigned seed) {
+Image uniformNoise(int width, int height, int channels, unsigned seed) {
   std::mt19937 random(seed);
   std::uniform_real_distribution<float> uniform(0, 1);
   Image image(width, height, channels);
@@ -24,7 +24,7 @@ Image noise(int width, int height, int channels, unsigned seed) {
 TEST(Ssim, IsExactlyOneForIdenticalImages) {
   for (int channels : {1, 2, 3, 4})
     for (int side : {1, 2, 5, 11, 64}) {
-      const Image image = noise(side, side + 3, channels, unsigned(side));
+      const Image image = uniformNoise(side, side + 3, channels, unsigned(side));
       EXPECT_EQ(ssim(image, image), 1.0) << side << ' ' << channels;
     }
 }
@@ -51,7 +51,7 @@ TEST(Ssim, FollowsTheFormulaForOneWhitePixel) {
 }
 
 TEST(Ssim, IsSymmetricAndLowForUnrelatedNoise) {
-  const Image a = noise(64, 64, 3, 1), b = noise(64, 64, 3, 2);
+  const Image a = uniformNoise(64, 64, 3, 1), b = uniformNoise(64, 64, 3, 2);
   EXPECT_DOUBLE_EQ(ssim(a, b), ssim(b, a));
   EXPECT_LT(ssim(a, b), 0.2);
 }
