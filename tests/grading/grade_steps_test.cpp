@@ -76,7 +76,8 @@ protected:
     if (const json passes = settings.value("passes", json::object()); passes.contains(todo))
       expectHandedOut(assignment(), name + "-pass.png",
                       ggrade::authoring::passPicture(capture.trace, passes.at(todo), todo));
-    for (const auto& [other, picture] : settings.value("pictures", json::object()).items())
+    const json pictures = settings.value("pictures", json::object());
+    for (const auto& [other, picture] : pictures.items())
       if (picture.at("done") == json({todo}))
         expectHandedOut(
             assignment(), other + ".png",
@@ -162,8 +163,8 @@ TEST(Steps, HandoutsHaveThePicturesThatTheyShould) {
         if (k > 0 && settings.value("passes", json::object()).contains(part.todos[k - 1].id))
           wanted.insert(name + "-pass.png");
       }
-    for (const auto& [name, picture] : settings.value("pictures", json::object()).items())
-      wanted.insert(name + ".png");
+    const json pictures = settings.value("pictures", json::object());
+    for (const auto& [name, picture] : pictures.items()) wanted.insert(name + ".png");
     for (const std::string& name : names(assignment.folder / "handout"))
       if (name.ends_with(".png")) there.insert(name);
     EXPECT_EQ(there, wanted);
@@ -174,7 +175,8 @@ TEST(Steps, HandoutsHaveThePicturesThatTheyShould) {
 TEST(Steps, PicturesOfSeveralPartsAreInStepWithTheSolution) {
   for (const ggrade::Assignment& assignment : ggrade::loadAssignments(kSource / "assignments")) {
     const json settings = readHandout(assignment);
-    for (const auto& [name, picture] : settings.value("pictures", json::object()).items()) {
+    const json pictures = settings.value("pictures", json::object());
+    for (const auto& [name, picture] : pictures.items()) {
       if (picture.at("done").size() == 1) continue; // a step's, see above
       const TemporaryFolder program;
       const fs::path solution = kSource / "solutions" / assignment.id;

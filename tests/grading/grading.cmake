@@ -3,12 +3,13 @@ add_library(grading_tool STATIC tool.cpp handout.cpp)
 target_link_libraries(grading_tool PUBLIC ggrade_calibration ggrade_grading ggrade_authoring ggrade_png GTest::gmock)
 target_compile_definitions(grading_tool PUBLIC GGRADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   GGRADE_BUILD_DIR="${CMAKE_BINARY_DIR}")
-# grading_test_program(NAME source... [options of ggrade_test]) makes a program that grades: by itself, so that it is the
-# judge, too (judge.cpp), or by the real tool.
+# grading_test_program(NAME SOURCES source... [options of ggrade_test]) makes a program that grades: by itself, so that it
+# is the judge, too (judge.cpp), or by the real tool. Those that draw many signatures keep all processors busy; beside
+# them the same signatures would be drawn twice.
 function(grading_test_program name)
-  cmake_parse_arguments(ARG "" "TIMEOUT;PROCESSORS;COST" "SOURCES" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
   list(TRANSFORM ARG_SOURCES PREPEND ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/)
-  ggrade_test(${name} grading TIMEOUT ${ARG_TIMEOUT} PROCESSORS 2 COST ${ARG_COST}
+  ggrade_test(${name} grading ${ARG_UNPARSED_ARGUMENTS}
     SOURCES ${ARG_SOURCES} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/judge.cpp $<TARGET_OBJECTS:ggrade_rubrics>
     LIBRARIES grading_tool)
   add_dependencies(${name} ggrade_tool)
@@ -19,12 +20,12 @@ grading_test_program(grading_test TIMEOUT 300 COST 120 SOURCES
   long_catalogue_test.cpp long_same_test.cpp)
 grading_test_program(steps_grading_test TIMEOUT 400 COST 80 SOURCES grade_steps_test.cpp long_derive_test.cpp)
 # What is drawn for one diagnosis is there for the next one.
-grading_test_program(diagnosis_grading_test TIMEOUT 1800 COST 200 SOURCES
+grading_test_program(diagnosis_grading_test TIMEOUT 1800 PROCESSORS 2 COST 200 SOURCES
   grade_demo_test.cpp grade_diagnosis_test.cpp grade_language_test.cpp)
 grading_test_program(command_grading_test TIMEOUT 300 COST 100 SOURCES
   grade_input_test.cpp grade_interrupt_test.cpp grade_outcomes_test.cpp grade_render_test.cpp)
 add_dependencies(command_grading_test ggrade_compare floor floor_solution)
-grading_test_program(study_grading_test TIMEOUT 600 COST 60 SOURCES
+grading_test_program(study_grading_test TIMEOUT 600 PROCESSORS 2 COST 60 SOURCES
   grade_calibrate_test.cpp grade_tradeoff_test.cpp)
 grading_test_program(new_grading_test TIMEOUT 600 COST 60 SOURCES grade_new_test.cpp)
 # What a copy of the tree is built with, as this one is.

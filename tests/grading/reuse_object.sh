@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # A compiler launcher for a copy of this tree: reuse_object.sh BUILD COMPILER ARGUMENT...
 # Copies the object that BUILD, the build folder of the same sources, has at the same place; compiles
-# what isn't there, and what knows where its tree is (grading/toolchain.hpp).
+# what isn't there, and the one that knows where its tree is (grading/toolchain.cpp).
 set -eu
 built=$1
 shift
@@ -14,7 +14,7 @@ for ((i = 1; i < $#; ++i)); do
   esac
 done
 source=${!#}
-if [[ -n $output && -f $built/$output ]] && ! grep -q 'toolchain\.hpp' "$source"; then
+if [[ -n $output && -f $built/$output && $source != */toolchain.cpp ]]; then
   cp "$built/$output" "$output"
   [[ -z $depfile ]] || printf '%s:\n' "$output" >"$depfile"
   exit

@@ -16,6 +16,7 @@
 #include <cstring>
 #include <iostream>
 #include <iterator>
+#include <list>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -256,21 +257,29 @@ using ggrade::rubric::SceneFolders;
 
 namespace {
 
+/// As many as the floor has parts. A judge takes 200 MB.
+constexpr std::size_t kMostKept = 3;
+
 void quietly(const std::string&, std::size_t, std::size_t) {}
 
 } // namespace
 
 Grader& Grader::of(const std::string& id, const grading::Draw& draw) {
-  static std::unique_ptr<Grader> last;
-  static std::string lastId;
-  static grading::Draw lastDraw;
-  if (!last || lastId != id || lastDraw != draw) {
-    last.reset(); // one judge's memory at a time
-    last = std::make_unique<Grader>(id, draw);
-    lastId = id;
-    lastDraw = draw;
+  struct Kept {
+    std::string id;
+    grading::Draw draw;
+    std::unique_ptr<Grader> grader;
+  };
+  static std::list<Kept> kept; // the last one first
+  const auto known =
+      std::ranges::find_if(kept, [&](const Kept& one) { return one.id == id && one.draw == draw; });
+  if (known != kept.end()) {
+    kept.splice(kept.begin(), kept, known);
+  } else {
+    if (kept.size() == kMostKept) kept.pop_back();
+    kept.push_front({id, draw, std::make_unique<Grader>(id, draw)});
   }
-  return *last;
+  return *kept.front().grader;
 }
 
 Grader::Grader(const std::string& id, const grading::Draw& draw)

@@ -130,7 +130,7 @@ struct How {
 /// reference's pictures and a judge that stays. What a class is graded with, and as the tool does.
 class Grader {
 public:
-  /// The one of an assignment or part. Only the last one is kept: each holds a judge's memory.
+  /// The one of an assignment or part. Only the last few are kept: each has a judge's memory.
   static Grader& of(const std::string& id, const ggrade::grading::Draw& draw = {});
 
   Grader(const std::string& id, const ggrade::grading::Draw& draw);
