@@ -320,8 +320,20 @@ Graded Grader::grade(const grading::Built& built, const How& how, std::size_t sc
   graded.result = grading::gradeBuilt(target_, plan, references, built, all);
   graded.results = nlohmann::json::parse(
       ggrade::report::resultsJson(graded.result, ggrade::report::Reveal::names));
+  graded.result.scenes.clear();       // large, and in the JSON as far as tests look at it
   std::cout << graded.text() << '\n'; // what the log of a failure needs
   return graded;
+}
+
+const Graded& Grader::grade(const fs::path& folder, const How& how, std::size_t scenes) {
+  std::string key = std::to_string(std::min(scenes, plan_.scenes.size()));
+  for (const bool flag : {how.solution, how.pictures, how.diagnosis}) key += flag ? '1' : '0';
+  for (const std::string& name : names(folder))
+    key += name + ' ' +
+           (fs::is_regular_file(folder / name) ? grading::hashOf(read(folder / name)) : "") + '\n';
+  const auto known = graded_.find(key);
+  if (known != graded_.end()) return known->second;
+  return graded_.emplace(key, grade(build(folder, how), how, scenes)).first->second;
 }
 
 std::vector<ggrade::report::Item> Grader::judge(std::vector<SceneFolders> scenes,
@@ -338,8 +350,7 @@ std::vector<ggrade::report::Item> Grader::judge(std::vector<SceneFolders> scenes
 }
 
 Graded gradePart(const std::string& part, const fs::path& folder, const How& how) {
-  Grader& grader = Grader::of(part, how.draw);
-  return grader.grade(grader.build(folder, how), how);
+  return Grader::of(part, how.draw).grade(folder, how);
 }
 
 Graded gradePart(const std::string& part, const Submission& submission, const How& how) {
@@ -410,7 +421,7 @@ Graded gradeCatalogued(const Catalogued& one, bool allScenes) {
   grading::writePatched(grader.target().assignment,
                         kSource / "solutions" / grader.target().assignment.id, one.program.patches,
                         upload);
-  Graded graded = grader.grade(grader.build(upload), {}, count);
+  const Graded graded = grader.grade(upload, {}, count);
   const auto verdicts =
       calibration::judge(one.part, grader.target().items(),
                          {{one.program, {calibration::scoreOf(graded.result)}, ""}});

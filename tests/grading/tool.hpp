@@ -139,6 +139,9 @@ public:
   const ggrade::grading::ScenePlan& plan() const { return plan_; }
   const ggrade::grading::References& references() const { return references_; }
   ggrade::grading::Built build(const fs::path& folder, const How& how = {}) const;
+  /// Builds and grades, once for the same files.
+  const Graded& grade(const fs::path& folder, const How& how = {},
+                      std::size_t scenes = std::size_t(-1));
   /// \param scenes only the first so many of the plan; what none of them shows is given
   Graded grade(const ggrade::grading::Built& built, const How& how = {},
                std::size_t scenes = std::size_t(-1));
@@ -156,6 +159,7 @@ private:
   ggrade::grading::JudgeServer judge_;
   std::shared_ptr<ggrade::grading::ReferencePictures> pictures_;
   ggrade::grading::Examining diagnosing_; ///< keeps what it has learnt of the reference
+  std::map<std::string, Graded> graded_;  ///< by files and how
 };
 
 /// Grades for part `mirror`, in this process.
