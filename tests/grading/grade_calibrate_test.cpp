@@ -121,7 +121,10 @@ TEST_F(Calibrate, OtherTolerancesAreTriedInTheScenesOfTheQualityThatWasAskedFor)
     EXPECT_EQ(int(trial.at("errors").at(0)) + int(trial.at("errors").at(1)), 1) << trial;
 }
 
-TEST_F(Calibrate, LookingLessCloselyIsQuickerAndSeesLess) {
+/// A dozen looks at each program.
+class LongCalibrate : public Calibrate {};
+
+TEST_F(LongCalibrate, LookingLessCloselyIsQuickerAndSeesLess) {
   addAMistakeOfWideWindows(files_);
   const fs::path catalogue = files_.path() / "wide";
   files_.write("wide/variants/mirror_comment.patch",

@@ -430,7 +430,8 @@ Graded gradeCatalogued(const Catalogued& one, bool allScenes) {
 }
 
 Graded gradeMistake(const std::string& name) {
-  for (const Catalogued& one : catalogue())
+  static const std::vector<Catalogued> all = catalogue();
+  for (const Catalogued& one : all)
     if (one.program.name == name) return gradeCatalogued(one, true);
   throw std::runtime_error("there is no mistake " + name);
 }
