@@ -128,11 +128,6 @@ std::vector<Window> windows() {
   };
 }
 
-TEST_F(Check, WhatIsExpectedHoldsNoSolution) {
-  expectNoSolutionIn(ggrade::Assignment::load(kSource / "assignments/floor"),
-                     expected() / "mirror");
-}
-
 /// The steps' programs: exactly the first k TODOs are done, nothing else is begun.
 TEST_F(Check, KnowsEveryStep) {
   for (std::size_t k = 0; k <= 7; ++k) {
