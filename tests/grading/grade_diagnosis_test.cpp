@@ -21,7 +21,8 @@ nlohmann::json onlyDiagnosis(const Graded& graded) {
 }
 
 TEST(Diagnosis, LightNotMirroredIsNamedWithItsStep) {
-  const Graded graded = grade(Submission::example("light_not_mirrored"), {.diagnosis = true});
+  const Graded graded =
+      grade(Submission::example("light_not_mirrored"), {.pictures = true, .diagnosis = true});
   const auto diagnosis = onlyDiagnosis(graded);
   EXPECT_EQ(diagnosis.at("id"), "mirror_light_not_mirrored");
   EXPECT_EQ(diagnosis.at("step"), "Step 4: draw the mirrored scene");
@@ -44,7 +45,7 @@ TEST(Diagnosis, AFaultThatNobodyListedIsUnknownOrMeasured) {
                 "tile.frag", "    reflected = texture(uReflection, at).rgb;\n",
                 "    reflected = texture(uReflection, at).rgb;\n"
                 "    if (fract(at.x * 3) < 0.5 && at.y > 0.4) reflected = vec3(0, 1, 0.3);\n")),
-            {.diagnosis = true});
+            {.pictures = true, .diagnosis = true});
   const auto diagnosis = onlyDiagnosis(graded);
   EXPECT_EQ(diagnosis.at("id"), "");
   EXPECT_EQ(diagnosis.at("confidence"), 0);
@@ -54,20 +55,22 @@ TEST(Diagnosis, AFaultThatNobodyListedIsUnknownOrMeasured) {
 }
 
 TEST(Diagnosis, AnUnfinishedProgramIsToldItsNextStep) {
-  const auto diagnosis = onlyDiagnosis(grade(Submission::firstSteps(4), {.diagnosis = true}));
+  const auto diagnosis =
+      onlyDiagnosis(grade(Submission::firstSteps(4), {.pictures = true, .diagnosis = true}));
   EXPECT_THAT(diagnosis.at("id").get<std::string>(), StrEq("step.4"));
   EXPECT_EQ(diagnosis.at("step"), "Step 5: turn culling and normals");
 }
 
 TEST(Diagnosis, FramebufferLeftBound) {
-  const auto& diagnosis =
-      onlyDiagnosis(grade(Submission::example("framebuffer_left_bound"), {.diagnosis = true}));
+  const auto& diagnosis = onlyDiagnosis(
+      grade(Submission::example("framebuffer_left_bound"), {.pictures = true, .diagnosis = true}));
   EXPECT_EQ(diagnosis.at("id"), "framebuffer_left_bound");
   EXPECT_THAT(diagnosis.at("text").get<std::string>(), HasSubstr("still bound"));
 }
 
 TEST(Diagnosis, NeverSwapsWithTheCompilersWarningBesideIt) {
-  const Graded graded = grade(Submission::example("never_swaps"), {.diagnosis = true});
+  const Graded graded =
+      grade(Submission::example("never_swaps"), {.pictures = true, .diagnosis = true});
   EXPECT_EQ(onlyDiagnosis(graded).at("id"), "no_frame");
   const std::string output = graded.results.at("output");
   EXPECT_THAT(output, HasSubstr("window.swapBuffers() is not reached"));
@@ -75,7 +78,7 @@ TEST(Diagnosis, NeverSwapsWithTheCompilersWarningBesideIt) {
 }
 
 TEST(Diagnosis, NoneWhereNothingWasLost) {
-  const Graded graded = grade(Submission::solution(), {.diagnosis = true});
+  const Graded graded = grade(Submission::solution(), {.pictures = true, .diagnosis = true});
   EXPECT_TRUE(graded.results.at("extra_data").at("diagnoses").empty());
 }
 

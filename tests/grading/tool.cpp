@@ -312,12 +312,16 @@ Graded Grader::grade(const grading::Built& built, const How& how, std::size_t sc
                        const std::vector<std::string>& again) {
     return judge(folders, work, problem, again);
   };
-  grading::ScenePlan plan = plan_;
-  grading::References references = references_;
-  plan.scenes.resize(std::min(scenes, plan.scenes.size()));
-  references.scenes.resize(plan.scenes.size());
   Graded graded;
-  graded.result = grading::gradeBuilt(target_, plan, references, built, all);
+  if (scenes >= plan_.scenes.size()) { // what looks for a diagnosis keeps them
+    graded.result = grading::gradeBuilt(target_, plan_, references_, built, all);
+  } else {
+    grading::ScenePlan plan = plan_;
+    grading::References references = references_;
+    plan.scenes.resize(scenes);
+    references.scenes.resize(scenes);
+    graded.result = grading::gradeBuilt(target_, plan, references, built, all);
+  }
   graded.results = nlohmann::json::parse(
       ggrade::report::resultsJson(graded.result, ggrade::report::Reveal::names));
   graded.result.scenes.clear();       // large, and in the JSON as far as tests look at it

@@ -122,7 +122,7 @@ struct How {
   /// With the report's scenes and frames, and the second run that tells whether a program draws the
   /// same again.
   bool pictures = false;
-  bool diagnosis = false;
+  bool diagnosis = false; ///< what of it is about the public scene needs the pictures, too
   ggrade::grading::Draw draw{};
 };
 
