@@ -5,7 +5,6 @@
 #include "grading/diagnoser.hpp"
 #include "grading/grade.hpp"
 #include "grading/judge_server.hpp"
-#include "grading/patched.hpp"
 #include "report/summary.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +26,7 @@ namespace {
 struct Made {
   const Mistake* mistake;
   std::string variant;
-  fs::path folder;
+  grading::Recipe recipe;
 };
 
 /// Are these one diagnosis by name?
@@ -82,13 +81,13 @@ private:
 
   bool make(const Mistake& mistake, const std::string& variant,
             const std::vector<fs::path>& patches) {
-    const fs::path folder = work_.path() / std::to_string(tried_++);
+    const grading::Recipe recipe{solutionFolder_, patches};
     try {
-      grading::writePatched(target_.assignment, solutionFolder_, patches, folder);
+      const grading::Program applies(target_.assignment, recipe);
     } catch (const UsageError&) {
       return false;
     }
-    made_.push_back({&mistake, variant, folder});
+    made_.push_back({&mistake, variant, recipe});
     return true;
   }
 
@@ -110,7 +109,6 @@ private:
   void examine(const Made& made, const grading::ScenePlan& plan,
                const grading::References& references, grading::JudgeServer& server) {
     grading::GradeOptions how;
-    how.upload = made.folder;
     how.pictures = how.twice = false;
     how.threads = 1;
     how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem,
@@ -139,7 +137,8 @@ private:
              worth(*made.mistake, answer, diagnoser, lost)});
       }
     };
-    grading::Built built = grading::buildSubmission(target_, how);
+    grading::Built built = grading::buildSubmission(
+        target_, std::make_shared<grading::Program>(target_.assignment, made.recipe), how);
     grading::gradeBuilt(target_, plan, references, built, how);
   }
 
@@ -174,10 +173,9 @@ private:
   const fs::path& solutionFolder_;
   const DiagnosisOptions& options_;
   Catalogue catalogue_;
-  grading::TemporaryFolder work_;
   std::vector<Made> made_;
   std::mutex mutex_;
-  std::size_t tried_ = 0, done_ = 0, total_ = 0;
+  std::size_t done_ = 0, total_ = 0;
   DiagnosisFigures figures_;
 };
 

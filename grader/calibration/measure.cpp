@@ -34,7 +34,7 @@ public:
   Measurement(const Target& target, const fs::path& solutionFolder,
               const std::vector<Program>& programs, const MeasureOptions& options)
       : target_(target), solutionFolder_(solutionFolder), options_(options),
-        subjects_(subjectsOf(target, solutionFolder, programs, work_.path())),
+        subjects_(subjectsOf(target, programs)),
         total_(programs.size() * options.seeds.size() * options.looks.size()) {}
 
   std::vector<std::vector<Measured>> run() {
@@ -177,7 +177,6 @@ private:
   const Target& target_;
   const fs::path& solutionFolder_;
   const MeasureOptions& options_;
-  grading::TemporaryFolder work_;
   std::vector<std::unique_ptr<Subject>> subjects_;
   std::unique_ptr<Prepared> prepared_; ///< of the last plan
   std::mutex mutex_;

@@ -12,8 +12,8 @@ namespace ggrade::calibration {
 
 struct Subject {
   Measured measured;
-  std::filesystem::path folder; ///< its files; empty for pictures
-  std::string key;              ///< what tells its files from others
+  std::shared_ptr<grading::Program> program; ///< none for pictures
+  std::string key;                           ///< what tells it from others
   std::once_flag once;
   grading::Built built;
 
@@ -21,12 +21,10 @@ struct Subject {
   const grading::Built& build(const Target& target);
 };
 
-/// Writes each program's files to a folder in `work` and says what tells them from others. A patch
-/// that doesn't apply is its program's `problem`.
+/// Makes each program's files and says what tells them from others. A patch that doesn't apply is
+/// its program's `problem`.
 std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
-                                                 const std::filesystem::path& solutionFolder,
-                                                 const std::vector<Program>& programs,
-                                                 const std::filesystem::path& work);
+                                                 const std::vector<Program>& programs);
 
 /// Where the grading with this key is kept.
 std::filesystem::path scoreFile(const std::string& key);

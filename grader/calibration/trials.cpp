@@ -25,7 +25,7 @@ public:
   Trials(const Target& target, const fs::path& solutionFolder, const std::vector<Program>& programs,
          grading::Quality quality, unsigned jobs)
       : target_(target), solutionFolder_(solutionFolder), quality_(quality), jobs_(jobs),
-        subjects_(subjectsOf(target, solutionFolder, programs, work_.path())) {
+        subjects_(subjectsOf(target, programs)) {
     for (const Setting& setting : settings()) {
       trials_.push_back({setting, {}});
       for (const auto& subject : subjects_) trials_.back().measured.push_back(subject->measured);
@@ -112,7 +112,6 @@ private:
   const fs::path& solutionFolder_;
   grading::Quality quality_;
   unsigned jobs_;
-  grading::TemporaryFolder work_;
   std::vector<std::unique_ptr<Subject>> subjects_;
   std::mutex mutex_;
 };

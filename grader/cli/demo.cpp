@@ -2,7 +2,7 @@
 
 #include "cli/terminal.hpp"
 #include "grading/grade.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 #include "grading/workspace.hpp"
 #include "report/html.hpp"
 #include "report/reports.hpp"
@@ -74,7 +74,7 @@ void demo(const std::string& outText, bool asJson) {
       how.diagnosis = !example.patch.empty();    // a stub's likeliest cause is known
       if (!example.patch.empty()) {
         how.upload = patched.path() / example.name;
-        grading::writePatched(assignment, solutions, {example.patch}, how.upload);
+        grading::writeFiles(assignment, {solutions, {example.patch}}, how.upload);
       }
       report::Result result =
           grading::grade(findTarget(assignmentsFolder(), example.target), solutions, how);

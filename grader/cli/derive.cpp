@@ -5,8 +5,9 @@
 #include "authoring/solution_blocks.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
-#include "grading/program.hpp"
-#include "grading/references.hpp"
+#include "grading/parallel.hpp"
+#include "grading/scenes.hpp"
+#include "grading/store.hpp"
 #include "image/png.hpp"
 #include "report/write_file.hpp"
 #include "tradeoff/adopted.hpp"
@@ -14,7 +15,7 @@
 
 #include <fmt/format.h>
 
-#include <set>
+#include <atomic>
 
 namespace ggrade::cli {
 
@@ -45,59 +46,73 @@ void writeSources(const Assignment& assignment, const fs::path& solutions,
   }
 }
 
-Program::Program(const Assignment& assignment, const fs::path& solutions,
-                 const std::set<std::string>& filled, const std::string& name)
-    : assignment_(assignment.id), name_(name) {
-  writeSources(assignment, solutions, filled, folder_.path());
-  for (const std::string& file : assignment.dataFiles())
-    fs::copy_file(assignment.folder / file, folder_.path() / file);
-  const grading::Happened built =
-      grading::buildProgram(assignment.id, folder_.path(), sandbox::Isolation::none);
-  if (!built.ok()) throw UsageError(fmt::format("{} doesn't build:\n{}", name, built.output));
-}
-
-channel::Capture Program::draw(const json& scene, const std::vector<double>& times) const {
-  grading::Rendering rendering =
-      grading::renderScene(assignment_, folder_.path(), scene, times, {}, sandbox::Isolation::none,
-                           grading::gradingRequest());
-  if (rendering.happened.outcome != report::Outcome::graded)
-    throw UsageError(fmt::format("{} doesn't render: {}\n{}", name_, rendering.happened.detail,
-                                 rendering.happened.output));
-  return std::move(rendering.capture);
-}
-
-Image window(const channel::Capture& capture) {
-  return rubric::toImage(grading::rawFrames(capture).at(0));
-}
-
 namespace {
+
+/// A picture of a handout: what a program draws, or what one of its passes left.
+struct Picture {
+  std::string name; ///< of the file, and for errors
+  std::set<std::string> filled;
+  json scene;
+  json pass;         ///< see authoring::passPicture; null: the window
+  std::string where; ///< it is asked for, for errors
+};
+
+/// Raise it when a picture's bytes change though programs and scenes don't.
+constexpr int kPictures = 1;
+
+/// Writes the picture to `file`, from the cache if it was drawn before. Throws UsageError where the
+/// program fails.
+void draw(const Assignment& assignment, const fs::path& solutions, const Picture& picture,
+          const std::vector<double>& times, const fs::path& file) {
+  grading::Program program(assignment, {solutions, {}, picture.filled}, sandbox::Isolation::none);
+  const fs::path kept =
+      grading::cacheFolder() / "pictures" /
+      (grading::hashOf(fmt::format("{} {} {} {} {}", kPictures, program.key(), picture.scene.dump(),
+                                   json(times).dump(), picture.pass.dump())) +
+       ".png");
+  std::error_code none;
+  if (fs::copy_file(kept, file, fs::copy_options::overwrite_existing, none)) return;
+  const grading::Happened& built = program.build();
+  if (!built.ok())
+    throw UsageError(fmt::format("{} doesn't build:\n{}", picture.name, built.output));
+  const grading::Rendering rendering =
+      program.render(picture.scene, times, {},
+                     picture.pass.is_null() ? trace::Request{} : grading::gradingRequest());
+  if (rendering.happened.outcome != report::Outcome::graded)
+    throw UsageError(fmt::format("{} doesn't render: {}\n{}", picture.name,
+                                 rendering.happened.detail, rendering.happened.output));
+  writePng(file,
+           picture.pass.is_null()
+               ? rubric::toImage(grading::rawFrames(rendering.capture).at(0))
+               : authoring::passPicture(rendering.capture.trace, picture.pass, picture.where));
+  try {
+    grading::TemporaryFolder made(kept.parent_path());
+    fs::copy_file(file, made.path() / "picture");
+    grading::keep(made.path() / "picture", kept);
+  } catch (const std::exception&) {
+    // No room in the cache: it is drawn again next time.
+  }
+}
 
 /// The window after each step of each part, as `part-k.png`; where handout.json names a pass for a
 /// step, what it drew as `part-k-pass.png`; and further pictures by their names there.
-void writePictures(const Assignment& assignment, const fs::path& solutions, const fs::path& into) {
-  const fs::path file = solutions / "handout.json";
-  const json settings = readJson(file);
-  const auto times = settings.at("times").get<std::vector<double>>();
+std::vector<Picture> picturesOf(const Assignment& assignment, const fs::path& file,
+                                const json& settings) {
   const json passes = settings.value("passes", json::object());
-  Progress progress("handout pictures of " + assignment.id);
+  std::vector<Picture> all, ofPasses;
   for (const Part& part : assignment.parts) {
     for (std::size_t k = 0; k <= part.todos.size(); ++k) {
-      progress(part.id, k, part.todos.size());
       const std::string name = fmt::format("{}-{}", part.id, k);
-      const channel::Capture capture =
-          Program(assignment, solutions, firstTodos(part, int(k)), name)
-              .draw(grading::handoutScene(assignment, part, settings, k), times);
-      writePng(into / (name + ".png"), window(capture));
+      const json scene = grading::handoutScene(assignment, part, settings, k);
+      all.push_back({name, firstTodos(part, int(k)), scene, nullptr, ""});
       const std::string step = k > 0 ? part.todos[k - 1].id : "";
       if (passes.contains(step))
-        writePng(into / (name + "-pass.png"),
-                 authoring::passPicture(capture.trace, passes.at(step),
-                                        fmt::format("{}: passes: {}", file.string(), step)));
+        ofPasses.push_back({name + "-pass", all.back().filled, scene, passes.at(step),
+                            fmt::format("{}: passes: {}", file.string(), step)});
     }
   }
   const json pictures = settings.value("pictures", json::object());
   for (const auto& [name, picture] : pictures.items()) {
-    progress(name, 0, 1);
     std::set<std::string> filled;
     std::vector<std::string> parts;
     for (const json& done : picture.at("done")) {
@@ -113,9 +128,24 @@ void writePictures(const Assignment& assignment, const fs::path& solutions, cons
     json scene = grading::partScene(assignment, parts);
     scene.merge_patch(settings.value("scene", json::object()));
     scene.merge_patch(picture.value("scene", json::object()));
-    writePng(into / (name + ".png"),
-             window(Program(assignment, solutions, filled, name).draw(scene, times)));
+    all.push_back({name, filled, scene, nullptr, ""});
   }
+  // Last: their programs are built by then.
+  all.insert(all.end(), ofPasses.begin(), ofPasses.end());
+  return all;
+}
+
+void writePictures(const Assignment& assignment, const fs::path& solutions, const fs::path& into) {
+  const fs::path file = solutions / "handout.json";
+  const json settings = readJson(file);
+  const auto times = settings.at("times").get<std::vector<double>>();
+  const std::vector<Picture> all = picturesOf(assignment, file, settings);
+  Progress progress("handout pictures of " + assignment.id);
+  std::atomic<std::size_t> done{0};
+  grading::inParallel(all.size(), grading::workers(), [&](std::size_t i) {
+    progress("drawing", done++, all.size());
+    draw(assignment, solutions, all[i], times, into / (all[i].name + ".png"));
+  });
 }
 
 /// presets.json of what `tradeoff --adopt` kept. Returns its figures; null if it has kept nothing.

@@ -2,8 +2,7 @@
 /// \file
 /// What `ggrade check` holds a program against, made from the solution.
 
-#include "cli/terminal.hpp"
-#include "grading/scenes.hpp"
+#include "grading/references.hpp"
 
 #include <set>
 
@@ -16,11 +15,11 @@ namespace ggrade::cli {
 /// UsageError where a program fails.
 void writeExpected(const Assignment& assignment, const Part& part,
                    const std::filesystem::path& solutions, const std::set<std::string>& blank,
-                   const std::filesystem::path& into, Progress& progress);
+                   const std::filesystem::path& into, const grading::Progress& progress);
 
 /// Makes `into`/PART anew for each part of the target, all TODOs to be done, unless what is there
 /// was made by this tool from these files.
 void updateExpected(const Target& target, const std::filesystem::path& solutions,
-                    const std::filesystem::path& into, Progress& progress);
+                    const std::filesystem::path& into, const grading::Progress& progress);
 
 } // namespace ggrade::cli

@@ -4,6 +4,7 @@
 #include "cli/derive.hpp"
 #include "cli/expected_of.hpp"
 #include "cli/kit_files.hpp"
+#include "cli/terminal.hpp"
 #include "cli/zip.hpp"
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
@@ -92,7 +93,7 @@ void writeAssignment(const HandedOut& handedOut, const fs::path& kit, Progress& 
   for (const std::string& file : assignment.files) markDone(folder / file, handedOut.filled);
   for (const Part& part : handedOut.parts) {
     const fs::path expected = kit / "expected" / part.id;
-    writeExpected(assignment, part, solutions, handedOut.blank, expected, progress);
+    writeExpected(assignment, part, solutions, handedOut.blank, expected, std::ref(progress));
     for (const auto& entry : fs::directory_iterator(check::stubFolder(expected)))
       markDone(entry.path(), handedOut.filled);
   }
@@ -238,7 +239,7 @@ void addExpect(CLI::App& app) {
     requireSandbox();
     Progress progress("expect");
     const Target target = findTarget(assignmentsFolder(), wanted->id);
-    updateExpected(target, solutionFolder(target.assignment.id), wanted->out, progress);
+    updateExpected(target, solutionFolder(target.assignment.id), wanted->out, std::ref(progress));
     progress.clear();
   });
 }

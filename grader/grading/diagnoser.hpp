@@ -59,13 +59,13 @@ public:
 
 private:
   const diagnosis::SceneViews& reference(std::size_t scene);
-  std::vector<Faulty> steps() const;
-  Faulty faulty(const Mistake& mistake) const;
-  std::vector<diagnosis::Signature> signaturesOf(const std::vector<Faulty>& programs,
+  std::vector<Candidate> steps() const;
+  Candidate candidateOf(const Mistake& mistake) const;
+  std::vector<diagnosis::Signature> signaturesOf(const std::vector<Candidate>& programs,
                                                  const std::vector<std::size_t>& scenes);
-  std::vector<Faulty> suspects(const std::vector<std::string>& lost,
-                               const std::set<std::string>& leftOut) const;
-  std::optional<Answer> known(const std::vector<Faulty>& suspects,
+  std::vector<Candidate> suspects(const std::vector<std::string>& lost,
+                                  const std::set<std::string>& leftOut) const;
+  std::optional<Answer> known(const std::vector<Candidate>& suspects,
                               const std::vector<std::size_t>& scenes, const diagnosis::Run& student,
                               double least, const diagnosis::Thresholds& thresholds);
   std::optional<Answer> changed(const std::vector<std::size_t>& scenes,

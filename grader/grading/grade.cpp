@@ -3,8 +3,6 @@
 #include "grading/carry.hpp"
 #include "grading/diagnose.hpp"
 #include "grading/judge_process.hpp"
-#include "grading/overlay.hpp"
-#include "grading/workspace.hpp"
 #include "image/compare.hpp"
 #include "image/difference.hpp"
 #include "image/flip.hpp"
@@ -173,17 +171,16 @@ struct Renderings {
 /// passes. The public scene goes first and leaves its shader cache in `shaderFolder` for the hidden
 /// ones: so no run can tell another what it saw of a hidden scene.
 template <class StudentFolder>
-Renderings renderScenes(const Target& target, const Built& built, const ScenePlan& plan,
-                        const References& references, const StudentFolder& studentFolder,
-                        const fs::path& shaderFolder, const GradeOptions& options,
+Renderings renderScenes(const Built& built, const ScenePlan& plan, const References& references,
+                        const StudentFolder& studentFolder, const fs::path& shaderFolder,
+                        const GradeOptions& options,
                         const std::function<void(std::size_t done)>& progress) {
   std::vector<Rendering> renderings(references.scenes.size());
   std::optional<Rendering> again;
   std::atomic<std::size_t> done{1}, firstHung{renderings.size()};
   ShaderCache shaders = references.shaders;
   const auto run = [&](std::size_t i, const trace::Request& request) {
-    return renderScene(target.assignment.id, built.program, plan.scenes[i].scene,
-                       plan.scenes[i].times, shaders, isolation(), request);
+    return built.program->render(plan.scenes[i].scene, plan.scenes[i].times, shaders, request);
   };
   const auto render = [&](std::size_t i) {
     if (i > firstHung) return;
@@ -330,16 +327,19 @@ report::Result ungraded(const Target& target, Outcome outcome, const std::string
 }
 
 Built buildSubmission(const Target& target, const GradeOptions& options) {
-  const Assignment& assignment = target.assignment;
-  Built built;
-  built.result = ungraded(target, Outcome::buildFailed, {});
+  return buildSubmission(target,
+                         std::make_shared<Program>(target.assignment, Recipe{options.upload},
+                                                   isolation(), Program::Use::once),
+                         options);
+}
+
+Built buildSubmission(const Target& target, std::shared_ptr<Program> program,
+                      const GradeOptions& options) {
+  Built built{ungraded(target, Outcome::buildFailed, {}), std::move(program)};
   report::Result& result = built.result;
   result.submission =
       report::sanitizeLine(fs::weakly_canonical(options.upload).filename().string());
-
-  built.work = std::make_unique<TemporaryFolder>();
-  built.program = built.work->makeVisible("program");
-  const Overlay taken = overlay(assignment, options.upload, built.program);
+  const Overlay& taken = built.program->files();
   if (!options.solution) result.unusedFiles = taken.unused;
   for (const std::string& name : taken.missing)
     result.unusedFiles.push_back(say("{}: not in the upload; the handed-out file stands in", name));
@@ -348,7 +348,7 @@ Built buildSubmission(const Target& target, const GradeOptions& options) {
   Happened happened;
   {
     const Stopwatch time(result, "build");
-    happened = buildProgram(assignment.id, built.program, isolation());
+    happened = built.program->build();
   }
   result.compilerOutput = happened.output;
   result.outcome = happened.outcome;
@@ -384,7 +384,7 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
   {
     const Stopwatch time(result, "render");
     progress("rendering", 1, steps);
-    renderings = renderScenes(target, built, plan, references, studentFolder, shaders, options,
+    renderings = renderScenes(built, plan, references, studentFolder, shaders, options,
                               [&](std::size_t done) { progress("rendering", done, steps); });
   }
   nameOutcome(renderings.scenes, folders, result);
@@ -400,7 +400,14 @@ report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const Ref
     return all;
   });
   const Judging judging = options.judging ? options.judging : judgeAlone(target, options);
-  judgeAll({target, plan, references, built.program, {shaders}, folders, judging, options.threads},
+  judgeAll({target,
+            plan,
+            references,
+            built.program->folder(),
+            {shaders},
+            folders,
+            judging,
+            options.threads},
            work.path(), result);
   addUp(result);
   result.scenes = scenes.get();

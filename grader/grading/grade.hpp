@@ -5,7 +5,6 @@
 #include "grading/reference_pictures.hpp"
 #include "grading/references.hpp"
 #include "grading/submitted.hpp"
-#include "grading/workspace.hpp"
 #include "report/results.hpp"
 
 #include <memory>
@@ -44,9 +43,8 @@ struct GradeOptions {
 
 /// A submission that was overlaid and built once, to be graded with one seed or several.
 struct Built {
-  report::Result result;                 ///< what every grading of it says, its outcome included
-  std::unique_ptr<TemporaryFolder> work; ///< removed with it
-  std::filesystem::path program;         ///< the overlaid files and the program
+  report::Result result; ///< what every grading of it says, its outcome included
+  std::shared_ptr<Program> program;
 };
 
 /// Says in a result which scenes it is about.
@@ -58,6 +56,9 @@ report::Result ungraded(const Target& target, report::Outcome outcome, const std
 /// Overlays and builds `options.upload`. A program that doesn't build is no error: see the result's
 /// outcome. Throws UsageError (no such folder) and Interrupted.
 Built buildSubmission(const Target& target, const GradeOptions& options);
+/// The same of a program of ours, which may be there already.
+Built buildSubmission(const Target& target, std::shared_ptr<Program> program,
+                      const GradeOptions& options);
 
 /// Renders and judges what was built, in the scenes of `plan`, of which `references` has the rest.
 /// The result's outcome says how that went. Throws Interrupted. Several threads may grade one

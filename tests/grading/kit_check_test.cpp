@@ -3,7 +3,7 @@
 #include "tool.hpp"
 
 #include "grading/catalogue.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 
 #include <gmock/gmock.h>
 
@@ -146,7 +146,7 @@ TEST_F(Check, IsSilentOnEveryRightAnswer) {
     if (!variant.loses.empty()) continue;
     SCOPED_TRACE(variant.name);
     const TemporaryFolder files;
-    ggrade::grading::writePatched(target.assignment, solutions, {variant.patch}, files.path());
+    ggrade::grading::writeFiles(target.assignment, {solutions, {variant.patch}}, files.path());
     const json part = checked(files.path());
     EXPECT_EQ(part.at("cause"), "");
     EXPECT_EQ(part.at("messages"), json::array());

@@ -1,7 +1,7 @@
 #include "tool.hpp"
 
 #include "authoring/solution_blocks.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 
 #include <gmock/gmock.h>
 
@@ -141,8 +141,9 @@ Submission Submission::stub() {
 Submission Submission::example(const std::string& name) {
   Submission made;
   const fs::path solutions = kSource / "solutions/floor";
-  ggrade::grading::writePatched(ggrade::Assignment::load(kSource / "assignments/floor"), solutions,
-                                {solutions / "examples" / (name + ".patch")}, made.path());
+  ggrade::grading::writeFiles(ggrade::Assignment::load(kSource / "assignments/floor"),
+                              {solutions, {solutions / "examples" / (name + ".patch")}},
+                              made.path());
   return made;
 }
 
