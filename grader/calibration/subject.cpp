@@ -4,8 +4,8 @@ namespace ggrade::calibration {
 
 namespace fs = std::filesystem;
 
-const grading::Built& Subject::build(const Target& target) {
-  std::call_once(once, [&] { built = grading::buildSubmission(target, program, {}); });
+const grading::Built& Subject::build(grading::Grader& grader) {
+  std::call_once(once, [&] { built = grader.build(program, true); });
   return built;
 }
 
@@ -28,6 +28,15 @@ std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
     }
   }
   return all;
+}
+
+grading::GraderOptions graderOptions(bool twice) {
+  grading::GraderOptions how;
+  how.pictures = how.diagnosis = false;
+  how.twice = twice;
+  how.many = true;
+  how.threads = 1;
+  return how;
 }
 
 fs::path scoreFile(const std::string& key) {

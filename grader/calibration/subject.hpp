@@ -18,7 +18,7 @@ struct Subject {
   grading::Built built;
 
   /// What was built of it, when it is first needed. Several threads may ask.
-  const grading::Built& build(const Target& target);
+  const grading::Built& build(grading::Grader& grader);
 };
 
 /// Makes each program's files and says what tells them from others. A patch that doesn't apply is
@@ -28,6 +28,9 @@ std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
 
 /// Where the grading with this key is kept.
 std::filesystem::path scoreFile(const std::string& key);
+
+/// Grades subjects as `ggrade grade` does, but for the pictures in reports: one at a time a thread.
+grading::GraderOptions graderOptions(bool twice = false);
 
 /// The reference's pictures of one seed. Those of ten seeds are gigabytes: they are removed with
 /// this, unless they are the public scene's or the seed is the assignment's own.

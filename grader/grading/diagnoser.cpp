@@ -51,9 +51,9 @@ bool isStep(const std::string& name) {
 } // namespace
 
 Diagnoser::Diagnoser(const Target& target, const Part& part, const fs::path& solutionFolder,
-                     const ScenePlan& plan, const References& references, Progress progress)
-    : target_(target), part_(part), solutionFolder_(solutionFolder), plan_(plan),
-      references_(references), progress_(std::move(progress)),
+                     const References& references, Progress progress)
+    : target_(target), part_(part), solutionFolder_(solutionFolder), references_(references),
+      progress_(std::move(progress)),
       catalogue_(loadCatalogue(target.assignment, part, solutionFolder, solutionFolder)) {}
 
 const SceneViews& Diagnoser::reference(std::size_t scene) {
@@ -65,11 +65,11 @@ const SceneViews& Diagnoser::reference(std::size_t scene) {
 std::vector<std::size_t> Diagnoser::scenesOf(const std::vector<std::string>& items,
                                              bool changed) const {
   std::vector<std::size_t> scenes;
-  for (std::size_t i = 0; i < plan_.scenes.size(); ++i)
-    if (plan_.scenes[i].like.empty() != changed &&
+  for (std::size_t i = 0; i < references_.scenes.size(); ++i)
+    if (references_.scenes[i].like.empty() != changed &&
         std::ranges::any_of(part_.items, [&](const ItemDeclaration& item) {
           return std::ranges::find(items, item.id) != items.end() &&
-                 (item.scenes.empty() || intersect(item.scenes, plan_.scenes[i].tags));
+                 (item.scenes.empty() || intersect(item.scenes, references_.scenes[i].tags));
         }))
       scenes.push_back(i);
   return scenes;
@@ -114,7 +114,7 @@ std::vector<Candidate> Diagnoser::suspects(const std::vector<std::string>& lost,
 std::vector<diagnosis::Signature> Diagnoser::signaturesOf(const std::vector<Candidate>& programs,
                                                           const std::vector<std::size_t>& scenes) {
   const auto views = [this](std::size_t scene) -> const SceneViews& { return reference(scene); };
-  return renderSignatures(target_, solutionFolder_, programs, plan_, scenes, references_, views,
+  return renderSignatures(target_, solutionFolder_, programs, scenes, references_, views,
                           progress_);
 }
 
@@ -147,7 +147,7 @@ std::optional<Answer> Diagnoser::known(const std::vector<Candidate>& suspects,
   for (const std::size_t scene : scenes) all.push_back(reference(scene));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const auto wrong = diagnosis::firstWrong({student[i]}, {all[i]}, least);
-    if (wrong && plan_.scenes[scenes[i]].isPublic) {
+    if (wrong && references_.scenes[scenes[i]].isPublic) {
       telling = i;
       break;
     }
@@ -264,7 +264,7 @@ Answer Diagnoser::answer(const std::vector<std::string>& lost, const Shown& show
     first->scene = scenes[first->scene];
     // A place in the public scene helps more than one that nobody may see.
     for (std::size_t i = 0; i < scenes.size(); ++i)
-      if (plan_.scenes[scenes[i]].isPublic && first->scene != scenes[i])
+      if (references_.scenes[scenes[i]].isPublic && first->scene != scenes[i])
         if (auto there = diagnosis::firstWrong({student[i]}, {right[i]});
             there && there->slot == first->slot) {
           first = there;

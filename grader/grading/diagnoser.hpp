@@ -39,7 +39,7 @@ public:
   /// Reads the catalogue. Everything that is passed must outlive this. Throws UsageError for a
   /// fault in the catalogue.
   Diagnoser(const Target& target, const Part& part, const std::filesystem::path& solutionFolder,
-            const ScenePlan& plan, const References& references, Progress progress);
+            const References& references, Progress progress);
 
   /// \param lost IDs of the part's items that lost points
   /// \param leftOut names of mistakes that are not to be known, for measuring
@@ -75,7 +75,6 @@ private:
   const Target& target_;
   const Part& part_;
   std::filesystem::path solutionFolder_;
-  const ScenePlan& plan_;
   const References& references_;
   Progress progress_;
   Catalogue catalogue_;

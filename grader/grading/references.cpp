@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <atomic>
+#include <fstream>
+#include <set>
 
 namespace ggrade::grading {
 
@@ -33,19 +35,44 @@ fs::path shaderFolder(const Target& target, Own& own) {
   return cacheFolder() / "shader-archives" / (own.program.key() + '-' + target.id);
 }
 
-/// Draws every scene once unless that was done before: compiling shaders is most of a short run.
-/// Only a run that can write to the host's folder does that: trusted, outside the sandbox.
+/// Which scenes an archive has the shaders of, a hash a line; none where that isn't known.
+std::set<std::string> drawnFor(const fs::path& archive) {
+  std::set<std::string> drawn;
+  std::ifstream in(archive.string() + ".scenes");
+  for (std::string line; std::getline(in, line);) drawn.insert(line);
+  return drawn;
+}
+
+/// Draws the scenes once unless that was done before: compiling shaders is most of a short run.
+/// What the same program has compiled for another target, of which this one is a part, isn't
+/// compiled again. Only a run that can write to the host's folder does that: trusted, outside the
+/// sandbox.
 void warmShaders(const Target& target, Own& own, const ScenePlan& plan) {
   const fs::path folder = shaderFolder(target, own);
   if (fs::exists(folder)) return;
   TemporaryFolder work(folder.parent_path());
   const fs::path warm = work.makeVisible("shaders");
-  for (const SceneCase& scene : plan.scenes)
-    requireGood(renderScene(target.assignment.id, own.program.folder(), scene.scene, {0}, {warm},
-                            Isolation::none)
-                    .happened,
-                own.what);
+  std::set<std::string> drawn;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.parent_path()))
+    if (entry.is_directory() && entry.path().filename().string().starts_with(own.program.key()))
+      if (auto there = drawnFor(entry.path()); there.size() > drawn.size()) {
+        fs::remove_all(warm);
+        fs::copy(entry.path(), warm, fs::copy_options::recursive);
+        drawn = std::move(there);
+      }
+  std::ofstream list(work.path() / "scenes");
+  for (const SceneCase& scene : plan.scenes) {
+    if (!scene.like.empty()) continue; // a change of numbers
+    const std::string name = hashOf(scene.scene.dump());
+    if (drawn.insert(name).second)
+      requireGood(renderScene(target.assignment.id, own.program.folder(), scene.scene, {0}, {warm},
+                              Isolation::none)
+                      .happened,
+                  own.what);
+  }
+  for (const std::string& name : drawn) list << name << '\n';
   keep(warm, folder);
+  if (list.flush()) keep(work.path() / "scenes", folder.string() + ".scenes");
 }
 
 } // namespace
@@ -98,18 +125,11 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
         jobs.push_back({&own, &content, &scene.times, folder, trace});
       return folder;
     };
-    rubric::SceneFolders folders{scene.name,
-                                 scene.isPublic,
-                                 scene.tags,
-                                 scene.scene,
-                                 scene.times.size(),
-                                 {},
-                                 add(reference, scene.scene, everything),
-                                 add(stub, scene.scene, everything),
-                                 {},
-                                 scene.like};
+    rubric::SceneFolders folders{scene, {}, {}, {}, {}};
+    folders.reference = add(reference, scene.scene, everything);
+    folders.stub = add(stub, scene.scene, everything);
     for (const auto& [name, probe] : scene.probes)
-      folders.probes[name] = add(reference, probe, nothing);
+      folders.probeFolders[name] = add(reference, probe, nothing);
     all.scenes.push_back(std::move(folders));
   }
 

@@ -33,9 +33,9 @@ diagnosis::SceneViews viewsIn(const fs::path& folder) {
 
 std::vector<diagnosis::Signature>
 renderSignatures(const Target& target, const fs::path& solutionFolder,
-                 const std::vector<Candidate>& candidates, const ScenePlan& plan,
-                 const std::vector<std::size_t>& scenes, const References& references,
-                 const ReferenceViews& reference, const Progress& progress) {
+                 const std::vector<Candidate>& candidates, const std::vector<std::size_t>& scenes,
+                 const References& references, const ReferenceViews& reference,
+                 const Progress& progress) {
   const Assignment& assignment = target.assignment;
   const std::string solution = referenceKey(target, solutionFolder);
   const trace::Request request = gradingRequest();
@@ -47,7 +47,7 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
     if (candidate.recipe.filled)
       for (const std::string& todo : *candidate.recipe.filled) key += ' ' + todo;
     key += references.scenes[scene].reference.filename().string() +
-           plan.scenes[scene].scene.dump() + json(plan.scenes[scene].times).dump();
+           references.scenes[scene].scene.dump() + json(references.scenes[scene].times).dump();
     return cacheFolder() / "signatures" / (hashOf(key) + ".views");
   };
 
@@ -78,7 +78,7 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
         if (fs::exists(file)) continue;
         diagnosis::SceneViews seen;
         if (program) {
-          const SceneCase& scene = plan.scenes[scenes[i]];
+          const SceneCase& scene = references.scenes[scenes[i]];
           const Rendering rendering = program->render(scene.scene, scene.times, shaders, request);
           if (!shaders.keep.empty()) shaders = {shaders.keep};
           requireMachine(rendering.happened, candidate.name);

@@ -19,15 +19,15 @@ struct Candidate {
 /// What the reference shows in a scene of the plan.
 using ReferenceViews = std::function<const diagnosis::SceneViews&(std::size_t scene)>;
 
-/// What each of the candidates shows in the scenes with these numbers of the plan, rendered in the
+/// What each of the candidates shows in the scenes with these numbers, rendered in the
 /// sandbox unless it lies in the cache; an empty SceneViews where it shows nothing there. A program
 /// that can't be made any more (its patch doesn't apply) shows nothing at all: `ggrade calibrate`
 /// names it. Throws Interrupted.
 std::vector<diagnosis::Signature>
 renderSignatures(const Target& target, const std::filesystem::path& solutionFolder,
-                 const std::vector<Candidate>& candidates, const ScenePlan& plan,
-                 const std::vector<std::size_t>& scenes, const References& references,
-                 const ReferenceViews& reference, const Progress& progress);
+                 const std::vector<Candidate>& candidates, const std::vector<std::size_t>& scenes,
+                 const References& references, const ReferenceViews& reference,
+                 const Progress& progress);
 
 /// The frames in a folder (see rubric::writeFrames), RGB.
 std::vector<Image> framesIn(const std::filesystem::path& folder);

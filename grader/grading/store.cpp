@@ -182,9 +182,11 @@ const Happened& Program::build() {
 }
 
 Rendering Program::render(const json& scene, const std::vector<double>& times,
-                          const ShaderCache& shaders, const trace::Request& trace) {
+                          const ShaderCache& shaders, const trace::Request& trace,
+                          const std::vector<channel::PassPixels>& replacements) {
   if (!build().ok()) return {built_, {}};
-  return renderScene(assignment_.id, folder_, scene, times, shaders, isolation_, trace);
+  return renderScene(assignment_.id, folder_, scene, times, shaders, isolation_, trace,
+                     replacements);
 }
 
 } // namespace ggrade::grading

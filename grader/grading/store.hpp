@@ -57,7 +57,8 @@ public:
 
   /// As renderScene; builds it first. A program that doesn't build draws nothing, see `happened`.
   Rendering render(const nlohmann::json& scene, const std::vector<double>& times,
-                   const ShaderCache& shaders, const trace::Request& trace = {});
+                   const ShaderCache& shaders, const trace::Request& trace = {},
+                   const std::vector<channel::PassPixels>& replacements = {});
 
 private:
   const Assignment assignment_;

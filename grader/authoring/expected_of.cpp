@@ -1,8 +1,8 @@
-#include "cli/expected_of.hpp"
+#include "authoring/expected_of.hpp"
 
+#include "authoring/derive.hpp"
+#include "authoring/pass_files.hpp"
 #include "check/expected.hpp"
-#include "cli/derive.hpp"
-#include "cli/pass_files.hpp"
 #include "diagnosis/state.hpp"
 #include "grading/catalogue.hpp"
 #include "grading/signatures.hpp"
@@ -19,7 +19,7 @@
 #include <optional>
 #include <span>
 
-namespace ggrade::cli {
+namespace ggrade::authoring {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -275,7 +275,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   const Showing showing = [&](const std::vector<grading::Candidate>& candidates,
                               const std::vector<std::size_t>& scenes) {
     return grading::renderSignatures(
-        target, solutions, candidates, plan, scenes, references,
+        target, solutions, candidates, scenes, references,
         [&](std::size_t scene) -> const diagnosis::SceneViews& {
           return expected.reference[scene];
         },
@@ -344,4 +344,4 @@ void updateExpected(const Target& target, const fs::path& solutions, const fs::p
   }
 }
 
-} // namespace ggrade::cli
+} // namespace ggrade::authoring

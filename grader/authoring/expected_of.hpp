@@ -6,7 +6,7 @@
 
 #include <set>
 
-namespace ggrade::cli {
+namespace ggrade::authoring {
 
 /// Writes to `into`, a folder of this part's own, what check::Expected needs: the part's TODOs out
 /// of `blank` are to be done, all others are done already. The public scenes come first, then those
@@ -22,4 +22,4 @@ void writeExpected(const Assignment& assignment, const Part& part,
 void updateExpected(const Target& target, const std::filesystem::path& solutions,
                     const std::filesystem::path& into, const grading::Progress& progress);
 
-} // namespace ggrade::cli
+} // namespace ggrade::authoring
