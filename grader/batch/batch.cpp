@@ -161,8 +161,8 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   // Who reads the class page must find everybody. What can't even be written now is done by
   // --resume.
   const auto ungraded = [&](const Job& job, const std::string& problem) {
-    report::Result result = grading::ungraded(target, report::Outcome::notGradable, problem);
-    grading::nameScenes(plan, result);
+    const report::Result result =
+        grading::ungraded(target, plan, report::Outcome::notGradable, problem);
     try {
       publish(result, job, {options.out, options.reveal, grader, state.run});
       return problem;

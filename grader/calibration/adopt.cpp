@@ -2,7 +2,7 @@
 
 #include "grading/catalogue.hpp"
 #include "grading/overlay.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 #include "grading/workspace.hpp"
 #include "report/text.hpp"
 #include "sandbox/sandbox.hpp"
@@ -140,7 +140,7 @@ fs::path adopt(const Target& target, const fs::path& solutionFolder, const fs::p
       throw UsageError(fmt::format("can't write {}: is the disk full?", made.string()));
   }
   // What was written must give back what was handed in.
-  grading::writePatched(assignment, solutionFolder, {made}, work.path() / "again");
+  grading::writeFiles(assignment, {solutionFolder, {made}}, work.path() / "again");
   for (const std::string& file : grading::ownFiles(assignment, overlaid))
     if (readFile(work.path() / "again" / file) != readFile(overlaid / file))
       throw std::runtime_error(fmt::format("the patch doesn't give back {}", file));

@@ -2,10 +2,7 @@
 
 #include "calibration/subject.hpp"
 #include "grading/catalogue.hpp"
-#include "grading/diagnoser.hpp"
-#include "grading/grade.hpp"
-#include "grading/judge_server.hpp"
-#include "grading/patched.hpp"
+#include "grading/diagnose.hpp"
 #include "report/summary.hpp"
 
 #include <fmt/format.h>
@@ -27,7 +24,7 @@ namespace {
 struct Made {
   const Mistake* mistake;
   std::string variant;
-  fs::path folder;
+  grading::Recipe recipe;
 };
 
 /// Are these one diagnosis by name?
@@ -82,13 +79,13 @@ private:
 
   bool make(const Mistake& mistake, const std::string& variant,
             const std::vector<fs::path>& patches) {
-    const fs::path folder = work_.path() / std::to_string(tried_++);
+    const grading::Recipe recipe{solutionFolder_, patches};
     try {
-      grading::writePatched(target_.assignment, solutionFolder_, patches, folder);
+      const grading::Program applies(target_.assignment, recipe);
     } catch (const UsageError&) {
       return false;
     }
-    made_.push_back({&mistake, variant, folder});
+    made_.push_back({&mistake, variant, recipe});
     return true;
   }
 
@@ -96,51 +93,43 @@ private:
     const grading::ScenePlan plan =
         grading::drawScenes(target_, solutionFolder_, {seed, options_.quality});
     const SeedPictures pictures(target_, solutionFolder_, plan);
-    const grading::References& references = pictures.references;
-    grading::JudgeServer server(target_, references.scenes);
+    grading::Grader grader(target_, solutionFolder_, plan, graderOptions(), pictures.references);
+    grader.prepare();
     grading::inParallel(made_.size(), options_.jobs, [&](std::size_t i) {
       if (grading::interrupted) throw grading::Interrupted{};
-      examine(made_[i], plan, references, server);
+      examine(made_[i], grader);
       const std::lock_guard lock(mutex_);
       ++done_;
       if (options_.progress) options_.progress("diagnosis", done_, total_);
     });
   }
 
-  void examine(const Made& made, const grading::ScenePlan& plan,
-               const grading::References& references, grading::JudgeServer& server) {
-    grading::GradeOptions how;
-    how.upload = made.folder;
-    how.pictures = how.twice = false;
-    how.threads = 1;
-    how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem,
-                      const std::vector<std::string>& again) {
-      return server.judge(scenes, work, problem, again);
-    };
+  void examine(const Made& made, grading::Grader& grader) {
+    grading::Graded graded = grader.draw(
+        grader.build(std::make_shared<grading::Program>(target_.assignment, made.recipe), true));
+    if (graded.scenes.empty()) return; // not built
+    grader.judge(graded);
+    const report::Result& result = graded.result;
+    const std::uint64_t seed = grader.plan().seed;
+    if (const auto observed = diagnosis::outcomeDiagnosis(result, graded.facts);
+        observed &&
+        (!report::scored(result.outcome) || result.outcome == report::Outcome::graded)) {
+      for (const bool leftOut : {false, true})
+        add({made.mistake->name, made.variant, seed, leftOut, observed->id, 1, Answered::right});
+      return;
+    }
     const auto quiet = [](const auto&, auto, auto) {};
-    how.examining = [&](const grading::Submitted& submitted, report::Result& result) {
-      if (const auto observed = diagnosis::outcomeDiagnosis(result, submitted.facts);
-          observed &&
-          (!report::scored(result.outcome) || result.outcome == report::Outcome::graded)) {
-        for (const bool leftOut : {false, true})
-          add({made.mistake->name, made.variant, plan.seed, leftOut, observed->id, 1,
-               Answered::right});
-        return;
-      }
-      grading::Diagnoser diagnoser(target_, part_, solutionFolder_, plan, references, quiet);
-      const grading::Shown shown = grading::shown(submitted.folders);
-      const std::vector<std::string> lost = grading::lostItems(result, part_);
-      if (!report::scored(result.outcome) || lost.empty()) return;
-      for (const bool leftOut : {false, true}) {
-        const std::set<std::string> without =
-            leftOut ? std::set<std::string>{made.mistake->name} : std::set<std::string>{};
-        const Answer answer = diagnoser.answer(lost, shown, without, options_.thresholds);
-        add({made.mistake->name, made.variant, plan.seed, leftOut, answer.id, answer.confidence,
-             worth(*made.mistake, answer, diagnoser, lost)});
-      }
-    };
-    grading::Built built = grading::buildSubmission(target_, how);
-    grading::gradeBuilt(target_, plan, references, built, how);
+    grading::Diagnoser diagnoser(target_, part_, solutionFolder_, grader.references(), quiet);
+    const grading::Shown shown = grading::shown(graded.students());
+    const std::vector<std::string> lost = grading::lostItems(result, part_);
+    if (!report::scored(result.outcome) || lost.empty()) return;
+    for (const bool leftOut : {false, true}) {
+      const std::set<std::string> without =
+          leftOut ? std::set<std::string>{made.mistake->name} : std::set<std::string>{};
+      const Answer answer = diagnoser.answer(lost, shown, without, options_.thresholds);
+      add({made.mistake->name, made.variant, seed, leftOut, answer.id, answer.confidence,
+           worth(*made.mistake, answer, diagnoser, lost)});
+    }
   }
 
   Answered worth(const Mistake& mistake, const Answer& answer, grading::Diagnoser& diagnoser,
@@ -174,10 +163,9 @@ private:
   const fs::path& solutionFolder_;
   const DiagnosisOptions& options_;
   Catalogue catalogue_;
-  grading::TemporaryFolder work_;
   std::vector<Made> made_;
   std::mutex mutex_;
-  std::size_t tried_ = 0, done_ = 0, total_ = 0;
+  std::size_t done_ = 0, total_ = 0;
   DiagnosisFigures figures_;
 };
 

@@ -1,7 +1,6 @@
 #include "calibration/look.hpp"
 
 #include "report/text.hpp"
-#include "rubric/rubric.hpp"
 
 #include <fmt/format.h>
 
@@ -38,29 +37,6 @@ std::size_t scenesUpTo(const grading::ScenePlan& plan, std::size_t hidden) {
   for (; count < plan.scenes.size(); ++count)
     if (!plan.scenes[count].isPublic && hidden-- == 0) break;
   return count;
-}
-
-void keepScenes(std::vector<report::Item>& items, const std::vector<std::string>& scenes) {
-  for (report::Item& item : items) {
-    if (!item.judged) continue;
-    double credit = 1;
-    std::string message = "no scene shows it";
-    std::vector<std::pair<std::string, double>> credits;
-    std::vector<std::string> messages;
-    for (std::size_t i = 0; i < item.credits.size(); ++i) {
-      if (std::ranges::find(scenes, item.credits[i].first) == scenes.end()) continue;
-      if (credits.empty() || item.credits[i].second < credit) {
-        credit = item.credits[i].second;
-        message = fmt::format("{}: {}", item.credits[i].first, item.messages[i]);
-      }
-      credits.push_back(item.credits[i]);
-      messages.push_back(item.messages[i]);
-    }
-    item.credits = std::move(credits);
-    item.messages = std::move(messages);
-    item.message = message;
-    item.earned = rubric::pointsOf(item.kind, item.points, credit);
-  }
 }
 
 } // namespace ggrade::calibration

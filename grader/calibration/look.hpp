@@ -33,8 +33,4 @@ void scaleWindows(grading::ScenePlan& plan, double scale);
 /// order of scenes.json; all if it has no more.
 std::size_t scenesUpTo(const grading::ScenePlan& plan, std::size_t hidden);
 
-/// Items of which only these scenes are known: the worst of them counts. What none of them shows
-/// is given, for nobody saw it wrong.
-void keepScenes(std::vector<report::Item>& items, const std::vector<std::string>& scenes);
-
 } // namespace ggrade::calibration

@@ -4,7 +4,6 @@
 #include "calibration/score_file.hpp"
 #include "calibration/subject.hpp"
 #include "calibration/whole_image.hpp"
-#include "grading/judge_server.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +12,6 @@
 namespace ggrade::calibration {
 
 namespace fs = std::filesystem;
-using grading::References;
 using grading::ScenePlan;
 
 namespace {
@@ -22,11 +20,11 @@ namespace {
 struct Prepared {
   std::string plan; ///< as text
   SeedPictures pictures;
-  grading::JudgeServer server;
+  grading::Grader grader;
 
-  Prepared(const Target& target, const fs::path& solutionFolder, const ScenePlan& drawn)
+  Prepared(const Target& target, const fs::path& solutionFolder, const ScenePlan& drawn, bool twice)
       : plan(grading::describe(drawn)), pictures(target, solutionFolder, drawn),
-        server(target, pictures.references.scenes) {}
+        grader(target, solutionFolder, drawn, graderOptions(twice), pictures.references) {}
 };
 
 class Measurement {
@@ -34,7 +32,7 @@ public:
   Measurement(const Target& target, const fs::path& solutionFolder,
               const std::vector<Program>& programs, const MeasureOptions& options)
       : target_(target), solutionFolder_(solutionFolder), options_(options),
-        subjects_(subjectsOf(target, solutionFolder, programs, work_.path())),
+        subjects_(subjectsOf(target, programs)),
         total_(programs.size() * options.seeds.size() * options.looks.size()) {}
 
   std::vector<std::vector<Measured>> run() {
@@ -72,9 +70,10 @@ private:
     say(what);
     if (missing.empty()) return;
 
-    if (!prepared_ || prepared_->plan != grading::describe(whole)) {
+    if (!prepared_ || prepared_->plan != grading::describe(whole) || twice_ != look.twice) {
       prepared_.reset(); // one judge's memory at a time
-      prepared_ = std::make_unique<Prepared>(target_, solutionFolder_, whole);
+      prepared_ = std::make_unique<Prepared>(target_, solutionFolder_, whole, look.twice);
+      twice_ = look.twice;
     }
     grading::inParallel(missing.size(), options_.jobs, [&](std::size_t n) {
       if (grading::interrupted) throw grading::Interrupted{};
@@ -104,67 +103,39 @@ private:
   }
 
   Score grade(Subject& subject, const ScenePlan& plan, const Look& look) {
-    References references = prepared_->pictures.references;
-    references.scenes.resize(plan.scenes.size());
+    grading::Grader& grader = prepared_->grader;
     if (subject.measured.program.kind == Kind::pictures)
-      return gradePictures(subject.measured.program.name, plan, references);
-    grading::GradeOptions how;
-    how.pictures = false;
-    how.twice = look.twice;
-    how.threads = 1;
-    how.judging = [&](const auto& scenes, const fs::path& work, std::string& problem,
-                      const std::vector<std::string>& again) {
-      return judge(scenes, work, problem, again);
-    };
-    std::map<std::string, PictureError> measures;
+      return gradePictures(subject.measured.program.name, plan.scenes.size());
+    grading::Graded graded = grader.draw(subject.build(grader), plan.scenes.size());
+    grader.judge(graded);
+    Score score = scoreOf(graded.result);
     if (look.measures)
-      how.examining = [&](const grading::Submitted& submitted, report::Result&) {
-        std::vector<rubric::SceneFolders> scenes = references.scenes;
-        for (std::size_t i = 0; i < scenes.size(); ++i) scenes[i].student = submitted.folders[i];
-        measures = measurePictures(scenes);
-      };
-    const report::Result result =
-        grading::gradeBuilt(target_, plan, references, subject.build(target_), how);
-    Score score = scoreOf(result);
-    score.measures = std::move(measures);
+      score.measures = measurePictures({graded.scenes.begin(), graded.scenes.end()});
     std::size_t pictures = 0;
     for (const grading::SceneCase& scene : plan.scenes) pictures += scene.times.size();
-    for (const report::Timing& timing : result.timings)
+    for (const report::Timing& timing : graded.result.timings)
       if (timing.what == "judge") score.judgeMs = 1e3 * timing.seconds / double(pictures);
     return score;
   }
 
-  /// Asks the judge of all the plan's scenes, of which a grading may have fewer.
-  std::vector<report::Item> judge(std::vector<rubric::SceneFolders> scenes, const fs::path& work,
-                                  std::string& problem, const std::vector<std::string>& again) {
-    const auto& all = prepared_->pictures.references.scenes;
-    if (scenes.size() == all.size()) return prepared_->server.judge(scenes, work, problem, again);
-    std::vector<std::string> names;
-    for (const rubric::SceneFolders& scene : scenes) names.push_back(scene.name);
-    scenes.insert(scenes.end(), all.begin() + std::ptrdiff_t(scenes.size()), all.end());
-    std::vector<report::Item> items = prepared_->server.judge(scenes, work, problem, again);
-    keepScenes(items, names);
-    return items;
-  }
-
-  Score gradePictures(const std::string& kind, const ScenePlan& plan,
-                      const References& references) {
+  Score gradePictures(const std::string& kind, std::size_t count) {
+    const auto& scenes = prepared_->pictures.references.scenes;
     std::vector<std::vector<rubric::RawFrame>> frames;
     std::vector<bool> isPublic;
-    for (const rubric::SceneFolders& scene : references.scenes) {
-      frames.push_back(rubric::readFrames(scene.reference));
-      isPublic.push_back(scene.isPublic);
+    for (std::size_t i = 0; i < count; ++i) {
+      frames.push_back(rubric::readFrames(scenes[i].reference));
+      isPublic.push_back(scenes[i].isPublic);
     }
     grading::TemporaryFolder work;
-    std::vector<rubric::SceneFolders> folders = references.scenes;
-    for (std::size_t i = 0; i < folders.size(); ++i) {
-      folders[i].student = work.path() / std::to_string(i);
-      rubric::writeFrames(folders[i].student, pictures(kind, frames, isPublic, i));
+    std::vector<fs::path> students;
+    for (std::size_t i = 0; i < count; ++i) {
+      students.push_back(work.path() / std::to_string(i));
+      rubric::writeFrames(students[i], pictures(kind, frames, isPublic, i));
     }
     report::Result result;
-    result.seed = plan.seed;
+    result.seed = prepared_->grader.plan().seed;
     result.outcome = report::Outcome::graded;
-    result.items = judge(folders, work.path(), result.detail, {});
+    result.items = prepared_->grader.theJudge().judge({students}, work.path(), result.detail);
     if (!result.detail.empty()) result.outcome = report::Outcome::notGradable;
     grading::addUp(result);
     return scoreOf(result);
@@ -177,9 +148,9 @@ private:
   const Target& target_;
   const fs::path& solutionFolder_;
   const MeasureOptions& options_;
-  grading::TemporaryFolder work_;
   std::vector<std::unique_ptr<Subject>> subjects_;
   std::unique_ptr<Prepared> prepared_; ///< of the last plan
+  bool twice_ = false;                 ///< as it was prepared
   std::mutex mutex_;
   std::size_t done_ = 0, total_;
 };

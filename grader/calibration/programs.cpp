@@ -38,14 +38,14 @@ std::vector<Program> everyProgram(const Assignment& assignment, const grading::C
   reference.kind = Kind::reference;
   reference.name = "reference";
   reference.title = "The reference";
-  reference.folder = solutionFolder;
+  reference.recipe = {solutionFolder};
   all.push_back(reference);
   for (const grading::Variant& variant : catalogue.variants) {
     Program program;
     program.kind = Kind::variant;
     program.name = variant.name;
     program.title = variant.title;
-    program.patches = {variant.patch};
+    program.recipe = {solutionFolder, {variant.patch}};
     program.loses = variant.loses;
     program.outcome = variant.outcome;
     all.push_back(std::move(program));
@@ -55,7 +55,7 @@ std::vector<Program> everyProgram(const Assignment& assignment, const grading::C
     program.kind = Kind::mistake;
     program.name = mistake.name;
     program.title = mistake.title;
-    program.patches = {mistake.patch};
+    program.recipe = {solutionFolder, {mistake.patch}};
     program.fails = mistake.fails;
     program.outcome = mistake.outcome;
     all.push_back(std::move(program));
@@ -67,7 +67,7 @@ std::vector<Program> everyProgram(const Assignment& assignment, const grading::C
     // The part's name once is enough.
     program.name = fmt::format("{} + {}", a.name, b.name.substr(catalogue.part.size() + 1));
     program.title = fmt::format("{}; {}", a.title, b.title);
-    program.patches = {a.patch, b.patch};
+    program.recipe = {solutionFolder, {a.patch, b.patch}};
     program.of = {a.name, b.name};
     all.push_back(std::move(program));
   }
@@ -82,7 +82,7 @@ std::vector<Program> everyProgram(const Assignment& assignment, const grading::C
   stub.kind = Kind::stub;
   stub.name = "stub";
   stub.title = "The files as they are handed out";
-  stub.folder = assignment.folder;
+  stub.recipe = {assignment.folder};
   all.push_back(stub);
   return all;
 }

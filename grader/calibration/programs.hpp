@@ -4,6 +4,7 @@
 /// pictures that no program drew.
 
 #include "grading/catalogue.hpp"
+#include "grading/recipe.hpp"
 
 #include <cstdint>
 #include <map>
@@ -28,8 +29,7 @@ struct Program {
   Kind kind = Kind::mistake;
   std::string name;
   std::string title;
-  std::vector<std::filesystem::path> patches;        ///< of the solution, one after the other
-  std::filesystem::path folder;                      ///< where there are no patches
+  grading::Recipe recipe;                            ///< of nothing: pictures
   std::string fails;                                 ///< mistake: the item that must fail
   std::vector<std::string> loses;                    ///< variant: the items that it may lose
   report::Outcome outcome = report::Outcome::graded; ///< how grading must end

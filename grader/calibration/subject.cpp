@@ -1,42 +1,16 @@
 #include "calibration/subject.hpp"
 
-#include "grading/patched.hpp"
-
-#include <algorithm>
-
 namespace ggrade::calibration {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-/// Everything that is in the files of a folder.
-std::string contentOf(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  std::string all;
-  for (const fs::path& file : files)
-    all += file.filename().string() + ' ' + grading::hashOf(readFile(file)) + '\n';
-  return all;
-}
-
-} // namespace
-
-const grading::Built& Subject::build(const Target& target) {
-  std::call_once(once, [&] {
-    grading::GradeOptions how;
-    how.upload = folder;
-    built = grading::buildSubmission(target, how);
-  });
+const grading::Built& Subject::build(grading::Grader& grader) {
+  std::call_once(once, [&] { built = grader.build(program, true); });
   return built;
 }
 
 std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
-                                                 const fs::path& solutionFolder,
-                                                 const std::vector<Program>& programs,
-                                                 const fs::path& work) {
+                                                 const std::vector<Program>& programs) {
   std::vector<std::unique_ptr<Subject>> all;
   for (const Program& program : programs) {
     all.push_back(std::make_unique<Subject>());
@@ -46,19 +20,23 @@ std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
       subject.key = "pictures " + program.name;
       continue;
     }
-    subject.folder = program.folder;
-    if (!program.patches.empty()) {
-      subject.folder = work / std::to_string(all.size());
-      try {
-        grading::writePatched(target.assignment, solutionFolder, program.patches, subject.folder);
-      } catch (const UsageError& error) {
-        subject.measured.problem = error.what();
-        continue;
-      }
+    try {
+      subject.program = std::make_shared<grading::Program>(target.assignment, program.recipe);
+      subject.key = subject.program->key();
+    } catch (const UsageError& error) {
+      subject.measured.problem = error.what();
     }
-    subject.key = contentOf(subject.folder);
   }
   return all;
+}
+
+grading::GraderOptions graderOptions(bool twice) {
+  grading::GraderOptions how;
+  how.pictures = how.diagnosis = false;
+  how.twice = twice;
+  how.many = true;
+  how.threads = 1;
+  return how;
 }
 
 fs::path scoreFile(const std::string& key) {

@@ -12,24 +12,25 @@ namespace ggrade::calibration {
 
 struct Subject {
   Measured measured;
-  std::filesystem::path folder; ///< its files; empty for pictures
-  std::string key;              ///< what tells its files from others
+  std::shared_ptr<grading::Program> program; ///< none for pictures
+  std::string key;                           ///< what tells it from others
   std::once_flag once;
   grading::Built built;
 
   /// What was built of it, when it is first needed. Several threads may ask.
-  const grading::Built& build(const Target& target);
+  const grading::Built& build(grading::Grader& grader);
 };
 
-/// Writes each program's files to a folder in `work` and says what tells them from others. A patch
-/// that doesn't apply is its program's `problem`.
+/// Makes each program's files and says what tells them from others. A patch that doesn't apply is
+/// its program's `problem`.
 std::vector<std::unique_ptr<Subject>> subjectsOf(const Target& target,
-                                                 const std::filesystem::path& solutionFolder,
-                                                 const std::vector<Program>& programs,
-                                                 const std::filesystem::path& work);
+                                                 const std::vector<Program>& programs);
 
 /// Where the grading with this key is kept.
 std::filesystem::path scoreFile(const std::string& key);
+
+/// Grades subjects as `ggrade grade` does, but for the pictures in reports: one at a time a thread.
+grading::GraderOptions graderOptions(bool twice = false);
 
 /// The reference's pictures of one seed. Those of ten seeds are gigabytes: they are removed with
 /// this, unless they are the public scene's or the seed is the assignment's own.

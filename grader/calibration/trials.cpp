@@ -1,7 +1,6 @@
 #include "calibration/score_file.hpp"
 #include "calibration/subject.hpp"
 #include "calibration/tolerances.hpp"
-#include "grading/judge_server.hpp"
 
 #include <fmt/format.h>
 
@@ -14,18 +13,12 @@ using grading::ScenePlan;
 
 namespace {
 
-/// What a program drew with one seed, kept while every setting judges it.
-struct Drawn {
-  report::Result result;
-  std::vector<rubric::SceneFolders> scenes; ///< empty if it never came to be judged
-};
-
 class Trials {
 public:
   Trials(const Target& target, const fs::path& solutionFolder, const std::vector<Program>& programs,
          grading::Quality quality, unsigned jobs)
       : target_(target), solutionFolder_(solutionFolder), quality_(quality), jobs_(jobs),
-        subjects_(subjectsOf(target, solutionFolder, programs, work_.path())) {
+        subjects_(subjectsOf(target, programs)) {
     for (const Setting& setting : settings()) {
       trials_.push_back({setting, {}});
       for (const auto& subject : subjects_) trials_.back().measured.push_back(subject->measured);
@@ -40,8 +33,7 @@ public:
                                    subject.key));
     };
     std::unique_ptr<SeedPictures> pictures;
-    std::vector<Drawn> drawn;
-    grading::TemporaryFolder kept;
+    std::vector<grading::Graded> drawn; // kept while every setting judges it
     for (Trial& trial : trials_) {
       std::vector<std::size_t> missing;
       for (std::size_t i = 0; i < subjects_.size(); ++i) {
@@ -54,10 +46,10 @@ public:
       if (!missing.empty()) {
         if (!pictures) {
           pictures = std::make_unique<SeedPictures>(target_, solutionFolder_, plan);
-          drawn = drawAll(plan, pictures->references, kept.path());
+          drawn = drawAll(plan, pictures->references);
         }
         const Tolerances tolerances{float(trial.setting.steps / 255), trial.setting.radius};
-        grading::JudgeServer server(target_, pictures->references.scenes, &tolerances);
+        grading::Judge judge(target_, pictures->references.scenes, true, &tolerances);
         grading::inParallel(missing.size(), jobs_, [&](std::size_t n) {
           if (grading::interrupted) throw grading::Interrupted{};
           const std::size_t i = missing[n];
@@ -65,7 +57,7 @@ public:
           report::Result result = drawn[i].result;
           std::string problem;
           if (!drawn[i].scenes.empty())
-            result.items = server.judge(drawn[i].scenes, answers.path(), problem);
+            result.items = judge.judge({drawn[i].students()}, answers.path(), problem);
           if (!problem.empty())
             throw std::runtime_error(
                 fmt::format("{}: {}", trial.measured[i].program.name, problem));
@@ -83,27 +75,15 @@ public:
   std::vector<Trial> trials_;
 
 private:
-  std::vector<Drawn> drawAll(const ScenePlan& plan, const grading::References& references,
-                             const fs::path& kept) {
-    std::vector<Drawn> all(subjects_.size());
+  std::vector<grading::Graded> drawAll(const ScenePlan& plan,
+                                       const grading::References& references) {
+    grading::Grader grader(target_, solutionFolder_, plan, graderOptions(), references);
+    std::vector<grading::Graded> all(subjects_.size());
     grading::inParallel(subjects_.size(), jobs_, [&](std::size_t i) {
       if (grading::interrupted) throw grading::Interrupted{};
       if (!subjects_[i]->measured.problem.empty()) return;
-      grading::GradeOptions how;
-      how.pictures = how.twice = false;
-      how.threads = 1;
-      how.judging = [&](const std::vector<rubric::SceneFolders>& scenes, const fs::path&,
-                        std::string&, const std::vector<std::string>&) {
-        all[i].scenes = scenes;
-        for (std::size_t scene = 0; scene < scenes.size(); ++scene) {
-          const fs::path to = kept / fmt::format("{}-{}", i, scene);
-          fs::rename(scenes[scene].student, to);
-          all[i].scenes[scene].student = to;
-        }
-        return std::vector<report::Item>();
-      };
-      all[i].result =
-          grading::gradeBuilt(target_, plan, references, subjects_[i]->build(target_), how);
+      all[i] = grader.draw(subjects_[i]->build(grader));
+      for (grading::GradedScene& scene : all[i].scenes) scene.rendering = {}; // memory
     });
     return all;
   }
@@ -112,7 +92,6 @@ private:
   const fs::path& solutionFolder_;
   grading::Quality quality_;
   unsigned jobs_;
-  grading::TemporaryFolder work_;
   std::vector<std::unique_ptr<Subject>> subjects_;
   std::mutex mutex_;
 };

@@ -77,11 +77,14 @@ void adopt(const Options& options) {
   if (mistake) {
     requireSandbox();
     Progress progress("calibrate");
-    grading::GradeOptions how;
-    how.upload = options.adopt;
-    how.pictures = how.twice = false;
+    grading::GraderOptions how;
+    how.pictures = how.twice = how.diagnosis = false;
     how.progress = std::ref(progress);
-    items = grading::grade(target, solutions, how).items;
+    grading::Grader grader(target, solutions, grading::drawScenes(target, solutions), how);
+    const auto submission =
+        std::make_shared<grading::Program>(target.assignment, grading::Recipe{options.adopt},
+                                           grading::isolation(), grading::Program::Use::once);
+    items = grader.grade(submission, false).items;
   }
   const fs::path path = calibration::adopt(
       target, solutions, catalogueFolder(options, solutions), options.adopt,

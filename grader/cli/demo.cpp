@@ -2,14 +2,13 @@
 
 #include "cli/terminal.hpp"
 #include "grading/grade.hpp"
-#include "grading/patched.hpp"
-#include "grading/workspace.hpp"
 #include "report/reports.hpp"
 #include "report/terminal.hpp"
 #include "report/write_file.hpp"
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <iostream>
 
 namespace ggrade::cli {
@@ -21,8 +20,7 @@ namespace {
 /// One submission of the demo, and how it must end.
 struct Example {
   std::string name, target, outcome;
-  fs::path patch; ///< applied to the solution; empty: `folder` as it is
-  fs::path folder;
+  grading::Recipe recipe;
   bool solution = false;
 };
 
@@ -34,8 +32,8 @@ std::vector<Example> examples(const Assignment& assignment, const fs::path& solu
   for (const Part& part : assignment.parts) targets.push_back(part.id);
   if (targets.size() > 1) targets.push_back(assignment.id);
   for (const std::string& target : targets) {
-    all.push_back({target + "-reference", target, "graded", {}, solutions, true});
-    all.push_back({target + "-stub", target, "graded", {}, assignment.folder, false});
+    all.push_back({target + "-reference", target, "graded", {solutions}, true});
+    all.push_back({target + "-stub", target, "graded", {assignment.folder}});
   }
   std::vector<fs::path> patches;
   for (const auto& entry : fs::directory_iterator(solutions / "examples"))
@@ -44,52 +42,86 @@ std::vector<Example> examples(const Assignment& assignment, const fs::path& solu
   for (const fs::path& patch : patches) {
     const auto header = grading::patchHeader(patch);
     all.push_back(
-        {patch.stem().string(), header.at("Grades"), header.at("Outcome"), patch, {}, false});
+        {patch.stem().string(), header.at("Grades"), header.at("Outcome"), {solutions, {patch}}});
   }
   return all;
+}
+
+/// What the page and the list say of an example.
+struct Shown {
+  report::Summary summary;
+  nlohmann::json line;
+  std::string surprise; ///< empty: it ended as it must
+};
+
+Shown gradeExample(grading::Grader& grader, const Assignment& assignment, const Example& example,
+                   const fs::path& out) {
+  grading::Graded graded = grader.draw(grader.build(
+      std::make_shared<grading::Program>(assignment, example.recipe), example.solution));
+  grader.judge(graded);
+  if (!example.recipe.isFolder()) grader.diagnose(graded); // a stub's likeliest cause is known
+  report::Result& result = graded.result;
+  result.submission = example.name;
+  report::writeReports(out / example.name, result);
+  Shown shown{report::summarize(result, example.name + "/index.html"),
+              {{"submission", result.submission},
+               {"outcome", report::name(result.outcome)},
+               {"score", result.score},
+               {"max_score", result.maxScore},
+               {"bonus", result.bonus}},
+              ""};
+  if (report::name(result.outcome) != example.outcome)
+    shown.surprise = fmt::format("{}: {} instead of {}: {}\n", example.name,
+                                 report::name(result.outcome), example.outcome, result.detail);
+  return shown;
+}
+
+/// Those of one target have one grader; as many are graded at a time as there are cores.
+void gradeExamples(const Assignment& assignment, const fs::path& solutions,
+                   const std::vector<Example>& all, const fs::path& out, std::vector<Shown>& shown,
+                   const grading::Progress& progress) {
+  std::map<std::string, std::vector<std::size_t>> byTarget;
+  for (std::size_t i = 0; i < all.size(); ++i) byTarget[all[i].target].push_back(i);
+  const std::size_t before = shown.size();
+  shown.resize(before + all.size());
+  std::atomic<std::size_t> done{before};
+  for (const auto& [id, examples] : byTarget) {
+    const Target target = findTarget(assignmentsFolder(), id);
+    grading::GraderOptions how;
+    how.many = true;
+    how.threads = 1;
+    grading::Draw draw;
+    draw.quality = grading::Quality::fast; // it is seen as well, and sooner
+    grading::Grader grader(target, solutions, grading::drawScenes(target, solutions, draw), how);
+    progress("references of " + id, done, shown.size());
+    grader.prepare();
+    grading::inParallel(examples.size(), grading::workers(), [&](std::size_t n) {
+      if (grading::interrupted) throw grading::Interrupted{};
+      const std::size_t i = examples[n];
+      progress(all[i].name, done++, shown.size());
+      shown[before + i] = gradeExample(grader, assignment, all[i], out);
+    });
+  }
 }
 
 void demo(const std::string& outText, bool asJson) {
   const fs::path out = outputFolder(outText);
   requireSandbox();
   Progress progress("demo");
+  grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
+  std::vector<Shown> shown;
+  for (const Assignment& assignment : loadAssignments(assignmentsFolder())) {
+    const fs::path solutions = solutionFolder(assignment.id);
+    gradeExamples(assignment, solutions, examples(assignment, solutions), work.path(), shown,
+                  std::ref(progress));
+  }
   nlohmann::json list = nlohmann::json::array();
   std::vector<report::Summary> pages;
   std::string surprises;
-  grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
-  std::size_t count = 0;
-  for (const Assignment& assignment : loadAssignments(assignmentsFolder())) {
-    const fs::path solutions = solutionFolder(assignment.id);
-    const std::vector<Example> all = examples(assignment, solutions);
-    count += all.size();
-    for (const Example& example : all) {
-      if (grading::interrupted) throw grading::Interrupted{};
-      progress(example.name, pages.size(), count);
-      grading::TemporaryFolder patched;
-      grading::GradeOptions how;
-      how.upload = example.folder;
-      how.solution = example.solution;
-      how.draw.quality = grading::Quality::fast; // it is seen as well, and sooner
-      how.diagnosis = !example.patch.empty();    // a stub's likeliest cause is known
-      if (!example.patch.empty()) {
-        how.upload = patched.path() / example.name;
-        grading::writePatched(assignment, solutions, {example.patch}, how.upload);
-      }
-      report::Result result =
-          grading::grade(findTarget(assignmentsFolder(), example.target), solutions, how);
-      result.submission = example.name;
-      if (report::name(result.outcome) != example.outcome)
-        surprises += fmt::format("{}: {} instead of {}: {}\n", example.name,
-                                 report::name(result.outcome), example.outcome, result.detail);
-      const fs::path folder = work.path() / example.name;
-      report::writeReports(folder, result);
-      pages.push_back(report::summarize(result, example.name + "/index.html"));
-      list.push_back({{"submission", result.submission},
-                      {"outcome", report::name(result.outcome)},
-                      {"score", result.score},
-                      {"max_score", result.maxScore},
-                      {"bonus", result.bonus}});
-    }
+  for (Shown& one : shown) {
+    pages.push_back(std::move(one.summary));
+    list.push_back(std::move(one.line));
+    surprises += one.surprise;
   }
   progress.clear();
   report::writeFile(

@@ -1,15 +1,16 @@
 #include "cli/commands.hpp"
 
 #include "cli/terminal.hpp"
-#include "cli/write_reports.hpp"
 #include "grading/grade.hpp"
-#include "grading/workspace.hpp"
 #include "intake/names.hpp"
-#include "intake/unpack.hpp"
+#include "report/results_json.hpp"
+#include "report/terminal.hpp"
 #include "report/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+
+#include <iostream>
 
 namespace ggrade::cli {
 
@@ -23,10 +24,22 @@ struct Options {
   bool haveSeed = false, solution = false, noDiagnosis = false, json = false;
 };
 
+/// The table on stdout, or results.json.
+void print(const report::Result& result, const fs::path& out, bool json) {
+  if (json) {
+    std::cout << report::resultsJson(result, report::Reveal::details);
+    return;
+  }
+  report::TerminalStyle style;
+  style.colour = wantsColour();
+  std::cout << report::terminalTable(result, style)
+            << fmt::format("\n{}\n", report::sanitizeLine((out / "index.html").string(), 4096));
+}
+
 void grade(const Options& options) {
   const Target target = findTarget(assignmentsFolder(), options.id);
   const fs::path solutions = solutionFolder(target.assignment.id);
-  fs::path upload = fs::path(options.upload).lexically_normal();
+  const fs::path upload = fs::path(options.upload).lexically_normal();
   const std::string name = fs::weakly_canonical(upload).filename().string();
   for (const std::string& argument : afterDashes)
     if (!argument.starts_with("--gtest_"))
@@ -41,32 +54,26 @@ void grade(const Options& options) {
   chooseSandbox(options.sandbox);
 
   Progress progress("grading " + report::sanitizeLine(name)); // whoever hands in names the folder
-  grading::GradeOptions how;
-  how.upload = upload;
-  grading::TemporaryFolder work;
-  intake::Unpacked unpacked;
-  if (!options.solution) {
-    how.upload = work.path() / "upload";
-    intake::Upload one;
-    one.sources = {{fs::canonical(upload), intake::decodeOrEscape(name)}};
-    unpacked = intake::unpack(one, target.assignment.files, how.upload, grading::isolation(),
-                              &grading::interrupted);
-    if (!unpacked.problem.empty())
-      throw UsageError(fmt::format("{}: {}", upload.string(), unpacked.problem));
-  }
-  how.solution = options.solution;
-  how.draw.quality = grading::parseQuality(options.quality);
-  if (options.haveSeed) how.draw.seed = options.seed;
+  grading::Draw draw;
+  draw.quality = grading::parseQuality(options.quality);
+  if (options.haveSeed) draw.seed = options.seed;
+  grading::GraderOptions how;
   how.judgeArguments = afterDashes;
   how.diagnosis = !options.noDiagnosis;
   how.progress = std::ref(progress);
-  report::Result result = grading::grade(target, solutions, how);
+  grading::Grader grader(target, solutions, grading::drawScenes(target, solutions, draw), how);
+  report::Result result;
+  if (options.solution) {
+    result = grader.gradeTrusted(upload);
+  } else {
+    intake::Upload one;
+    one.sources = {{fs::canonical(upload), intake::decodeOrEscape(name)}};
+    result = grader.gradeUpload(one);
+  }
   result.submission = report::sanitizeLine(name);
-  for (const auto* list : {&unpacked.refused, &unpacked.remarks})
-    result.unusedFiles.insert(result.unusedFiles.end(), list->begin(), list->end());
   progress.clear();
-  writeReports(result, out, *report::parseReveal(options.reveal));
-  printResult(result, out, options.json);
+  grading::publishReports(result, out, *report::parseReveal(options.reveal));
+  print(result, out, options.json);
   if (result.outcome == report::Outcome::notGradable) exitCode = kNotGradable;
 }
 

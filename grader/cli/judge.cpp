@@ -6,24 +6,20 @@
 namespace ggrade::cli {
 
 void addJudge(CLI::App& app) {
-  // Not listed: `grade` starts this in a process of its own.
+  // Not listed: whoever grades starts this in a process of its own.
   auto* command =
-      app.add_subcommand("judge", "Judges rendered frames (used by grade and calibrate)")
-          ->group("");
+      app.add_subcommand("judge", "Judges what submissions drew, as stdin names them")->group("");
   struct Options {
-    std::string evidence, results;
+    std::string evidence;
+    bool many = false;
   };
   auto options = std::make_shared<Options>();
   command->add_option("EVIDENCE", options->evidence)->required();
-  command->add_option("RESULTS", options->results, "Without it, requests come on stdin");
+  command->add_flag("--many", options->many);
   // What a comparison allows, for who wants to know what another tolerance would do.
   command->add_option("--tolerance", tolerances().tolerance);
   command->add_option("--radius", tolerances().radius);
-  command->callback([options] {
-    exitCode = options->results.empty()
-                   ? rubric::serveJudge(options->evidence)
-                   : rubric::runJudge(options->evidence, options->results, afterDashes);
-  });
+  command->callback([options] { exitCode = rubric::serveJudge(options->evidence, options->many); });
 }
 
 } // namespace ggrade::cli

@@ -1,6 +1,7 @@
+#include "authoring/derive.hpp"
 #include "authoring/new_assignment.hpp"
 #include "cli/commands.hpp"
-#include "cli/derive.hpp"
+#include "cli/terminal.hpp"
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
 
@@ -62,7 +63,11 @@ void make(const std::string& id, const std::string& title) {
   authoring::requireFreeId(id, kRoot, fs::path(toolchain::kBuildFolder) / "build.ninja");
   authoring::requireTitle(title);
   const Side solution("solutions", id, title), assignment("assignments", id, title);
-  deriveInto(Assignment::load(assignment.made()), solution.made(), assignment.made(), true);
+  {
+    Progress progress("handout pictures of " + id);
+    authoring::deriveInto(Assignment::load(assignment.made()), solution.made(), assignment.made(),
+                          std::ref(progress));
+  }
   if (grading::interrupted) throw grading::Interrupted{};
   solution.publish();
   try {

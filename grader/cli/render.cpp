@@ -1,7 +1,7 @@
 #include "cli/commands.hpp"
 
+#include "authoring/pass_files.hpp"
 #include "cli/help.hpp"
-#include "cli/pass_files.hpp"
 #include "cli/rendering.hpp"
 #include "cli/terminal.hpp"
 #include "grading/references.hpp"
@@ -139,7 +139,8 @@ void render(const Options& options) {
   for (std::size_t i = 0; i < frames.size(); ++i)
     writePng(work.path() / fmt::format("frame-{}.png", i), rubric::toImage(frames[i]));
   const trace::Trace& passes = rendering.capture.trace;
-  const json trace = cli::trace(rendering, writePassFiles(passes, work.path(), options.raw));
+  const json trace =
+      cli::trace(rendering, authoring::writePassFiles(passes, work.path(), options.raw));
   report::writeFile(work.path() / "trace.json", trace.dump(2) + '\n');
   work.publish(out);
 

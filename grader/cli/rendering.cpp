@@ -2,9 +2,8 @@
 
 #include "assignment/assignment.hpp"
 #include "cli/commands.hpp"
-#include "grading/overlay.hpp"
-#include "grading/references.hpp"
-#include "grading/workspace.hpp"
+#include "grading/scenes.hpp"
+#include "grading/store.hpp"
 #include "words/words.hpp"
 
 #include <cmath>
@@ -75,14 +74,12 @@ grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {
     for (const Part& part : target.parts) scene.merge_patch(part.scene);
   if (what.size.width) scene["size"] = {what.size.width, what.size.height};
 
-  grading::TemporaryFolder work;
-  const fs::path program = work.makeVisible("program");
-  grading::overlay(target.assignment, sources, program);
+  grading::Program program(target.assignment, {sources}, isolation,
+                           upload ? grading::Program::Use::once : grading::Program::Use::often);
+  program.files(); // what is missing is said before it takes time
   progress(say("building"), 0, 2);
-  const grading::Happened built = grading::buildProgram(id, program, isolation);
-  if (!built.ok()) return {built, {}};
-  progress(say("rendering"), 1, 2);
-  return grading::renderScene(id, program, scene, what.times, {}, isolation, what.trace);
+  if (program.build().ok()) progress(say("rendering"), 1, 2);
+  return program.render(scene, what.times, {}, what.trace);
 }
 
 } // namespace ggrade::cli

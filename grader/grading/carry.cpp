@@ -43,9 +43,11 @@ bool samePasses(const trace::Trace& first, const trace::Trace& again) {
 
 class Carrying {
 public:
-  Carrying(const FirstRun& first, std::vector<report::Item>& items, std::string& problem)
-      : first_(first), items_(items), problem_(problem), pixels_(first.folders.size()) {
-    for (const ItemDeclaration& declared : first.target.items()) declared_[declared.id] = declared;
+  Carrying(const Target& target, Judge& judge, Graded& graded, unsigned threads,
+           std::string& problem)
+      : judge_(judge), graded_(graded), items_(graded.result.items), threads_(threads),
+        problem_(problem), pixels_(graded.scenes.size()) {
+    for (const ItemDeclaration& declared : target.items()) declared_[declared.id] = declared;
   }
 
   int run() {
@@ -106,7 +108,7 @@ private:
 
   /// Adds the reference's pixels of these outputs to what is replaced in their scene.
   bool replaceIn(const report::PassOutputs& outputs) {
-    const rubric::SceneFolders& folders = first_.folders.at(outputs.scene);
+    const GradedScene& folders = graded_.scenes.at(outputs.scene);
     const trace::Trace student = trace::load(folders.student);
     const trace::Trace reference = trace::load(folders.reference);
     std::vector<channel::PassPixels>& pixels = pixels_[outputs.scene];
@@ -125,17 +127,16 @@ private:
   /// Draws one scene's first frame with its replacements into `folder`; false if that is no
   /// evidence.
   bool render(std::size_t scene, const fs::path& folder) const {
-    const SceneCase& planned = first_.plan.scenes.at(scene);
-    const Rendering rendering = renderScene(first_.target.assignment.id, first_.program,
-                                            planned.scene, {planned.times.at(0)}, first_.shaders,
-                                            isolation(), gradingRequest(), pixels_[scene]);
+    const GradedScene& first = graded_.scenes.at(scene);
+    const Rendering rendering = graded_.program->render(
+        first.scene, {first.times.at(0)}, graded_.shaders, gradingRequest(), pixels_[scene]);
     const channel::Capture& capture = rendering.capture;
     const auto done = [](channel::ReplacementAnswer answer) {
       return answer == channel::ReplacementAnswer::done;
     };
     if (!rendering.happened.ok() ||
         !std::all_of(capture.replacements.begin(), capture.replacements.end(), done) ||
-        !samePasses(trace::load(first_.folders[scene].student), capture.trace))
+        !samePasses(trace::load(first.student), capture.trace))
       return false;
     trace::save(capture.trace, folder);
     rubric::writeFrames(folder, rawFrames(capture));
@@ -144,16 +145,16 @@ private:
 
   void judgeAgain(const std::set<std::size_t>& scenes) {
     TemporaryFolder work;
-    std::vector<rubric::SceneFolders> folders = first_.folders;
-    for (rubric::SceneFolders& folder : folders) folder.student.clear();
+    std::vector<fs::path> students(graded_.scenes.size());
     const std::vector<std::size_t> order(scenes.begin(), scenes.end());
-    inParallel(order.size(), first_.threads, [&](std::size_t i) {
+    inParallel(order.size(), threads_, [&](std::size_t i) {
       const fs::path folder = work.path() / fmt::format("again-{}", order[i]);
       fs::create_directories(folder);
-      if (render(order[i], folder)) folders[order[i]].student = folder;
+      if (render(order[i], folder)) students[order[i]] = folder;
     });
     const std::vector<std::string> wanted = heldBack(replaced_);
-    const std::vector<report::Item> again = first_.judging(folders, work.path(), problem_, wanted);
+    const std::vector<report::Item> again =
+        judge_.judge({students, {}, wanted}, work.path(), problem_);
     for (const report::Item& one : again)
       if (std::find(wanted.begin(), wanted.end(), one.id) != wanted.end() && one.judged)
         keepBetter(one);
@@ -189,8 +190,10 @@ private:
                        item.messages[std::size_t(worst - item.credits.begin())]);
   }
 
-  const FirstRun& first_;
+  Judge& judge_;
+  Graded& graded_;
   std::vector<report::Item>& items_;
+  unsigned threads_;
   std::string& problem_;
   std::map<std::string, ItemDeclaration> declared_;
   std::vector<std::string> replaced_;                    ///< items, in the order of the runs
@@ -199,8 +202,9 @@ private:
 
 } // namespace
 
-int carryForward(const FirstRun& first, std::vector<report::Item>& items, std::string& problem) {
-  return Carrying(first, items, problem).run();
+int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned threads,
+                 std::string& problem) {
+  return Carrying(target, judge, graded, threads, problem).run();
 }
 
 } // namespace ggrade::grading

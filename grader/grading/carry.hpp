@@ -7,27 +7,16 @@
 
 namespace ggrade::grading {
 
-/// What was graded so far, and what another run needs.
-struct FirstRun {
-  const Target& target;
-  const ScenePlan& plan;
-  const References& references;
-  const std::filesystem::path& program;             ///< the built folder
-  const ShaderCache& shaders;                       ///< what the program has compiled already
-  const std::vector<rubric::SceneFolders>& folders; ///< with what the submission drew
-  const Judging& judging;
-  unsigned threads = 1; ///< scenes that are rendered at a time
-};
-
 /// For each item that failed (less than 90% of its points) and whose passes' outputs are found in
 /// the submission and the reference, of equal number, size and format: renders the first frame of
 /// the scenes that show the items after it with the outputs replaced, in the sandbox, and lets
 /// these items be judged again. If the next pass in the chain still fails, it is replaced as well.
-/// Each item keeps the better of all runs, scene by scene; `items` then says what was replaced for
-/// it. What a second run writes to its output goes nowhere; one whose passes are others than in the
+/// Each item keeps the better of all runs, scene by scene, and then says what was replaced for it.
+/// What a second run writes to its output goes nowhere; one whose passes are others than in the
 /// first run counts for nothing. Returns how many runs there were (of all scenes at once); 0 for a
-/// submission whose passes are right. `problem` says why the judge could not go on. Throws
-/// Interrupted.
-int carryForward(const FirstRun& first, std::vector<report::Item>& items, std::string& problem);
+/// submission whose passes are right. `threads` scenes are rendered at a time. `problem` says why
+/// the judge could not go on. Throws Interrupted.
+int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned threads,
+                 std::string& problem);
 
 } // namespace ggrade::grading

@@ -1,7 +1,7 @@
 #include "grading/catalogue.hpp"
 
 #include "grading/overlay.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 #include "words/words.hpp"
 
 #include <fmt/format.h>

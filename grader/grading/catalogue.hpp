@@ -49,7 +49,7 @@ struct Catalogue {
 /// Reads the patches `<part.id>_*.patch` and the pairs from `folder`, the solution's own or
 /// another; a part without any has an empty catalogue. Titles and hints of mistakes are in the
 /// language that was chosen, where the solution has them in it. Whether a patch applies shows when
-/// it is applied (see writePatched). Throws UsageError that names every patch with a fault in its
+/// it is applied (see writeFiles). Throws UsageError that names every patch with a fault in its
 /// header and says what is wrong, a line each.
 Catalogue loadCatalogue(const Assignment& assignment, const Part& part,
                         const std::filesystem::path& solutionFolder,

@@ -75,10 +75,10 @@ void describeMistake(const Answer& answer, const Part& part, const Catalogue& ca
         say("Something else is wrong after it: grade again once this is right."));
 }
 
-void describePlace(const FirstWrong& first, const Submitted& submitted, Diagnosis& words) {
+void describePlace(const FirstWrong& first, const Graded& graded, Diagnosis& words) {
   words.picture =
       first.slot ? diagnosis::words(*first.slot) : say("the window, frame {}", first.frame + 1);
-  words.scene = submitted.plan.scenes[first.scene].name;
+  words.scene = graded.scenes[first.scene].name;
   words.amount =
       first.missing ? say("not there") : say("{} of it differs", report::percent(first.share));
   if (!first.missing && first.width > 0)
@@ -86,22 +86,22 @@ void describePlace(const FirstWrong& first, const Submitted& submitted, Diagnosi
                       std::lround(first.y * first.height), first.width, first.height);
 }
 
-Diagnosis inWords(const Answer& answer, const Submitted& submitted, const Part& part,
-                  const Catalogue& catalogue, const report::Result& result) {
+Diagnosis inWords(const Answer& answer, const Graded& graded, const Part& part,
+                  const Catalogue& catalogue) {
   Diagnosis words;
   words.part = part.id;
   words.id = answer.id;
   words.confidence = answer.confidence;
-  if (answer.first) describePlace(*answer.first, submitted, words);
+  if (answer.first) describePlace(*answer.first, graded, words);
   if (answer.id.empty()) {
     words.text = say("What went wrong here matches no known mistake. The items below say what was "
                      "seen and where.");
-    words.step = stepOfWorst(result, part);
+    words.step = stepOfWorst(graded.result, part);
   } else if (answer.generic) {
     std::string what = answer.of ? diagnosis::words(*answer.of) : say("the window's picture");
     what[0] = char(std::toupper(static_cast<unsigned char>(what[0])));
     words.text = diagnosis::words(*answer.generic, what);
-    words.step = stepOfWorst(result, part);
+    words.step = stepOfWorst(graded.result, part);
   } else if (answer.id.starts_with("step.")) {
     describeStep(answer, part, words);
   } else {
@@ -121,31 +121,19 @@ std::vector<std::string> lostItems(const report::Result& result, const Part& par
   return lost;
 }
 
-Shown shown(const std::vector<std::filesystem::path>& folders) {
-  return {[&](std::size_t scene) { return viewsIn(folders[scene]); },
-          [&](std::size_t scene) { return framesIn(folders[scene]); }};
+Shown shown(std::vector<std::filesystem::path> folders) {
+  return {[folders](std::size_t scene) { return viewsIn(folders[scene]); },
+          [folders](std::size_t scene) { return framesIn(folders[scene]); }};
 }
 
-Diagnosing::Diagnosing(const Target& target, std::filesystem::path solutionFolder,
-                       const ScenePlan& plan, const References& references, Progress progress)
-    : target_(target), solutionFolder_(std::move(solutionFolder)), plan_(plan),
-      references_(references), progress_(std::move(progress)) {}
-
-Diagnoser& Diagnosing::diagnoserOf(const Part& part) {
-  const auto known = diagnosers_.find(part.id);
-  if (known != diagnosers_.end()) return known->second;
-  return diagnosers_
-      .try_emplace(part.id, target_, part, solutionFolder_, plan_, references_, progress_)
-      .first->second;
-}
-
-std::vector<Diagnosis> Diagnosing::operator()(const Submitted& submitted,
-                                              const report::Result& result) {
-  const auto observed = diagnosis::outcomeDiagnosis(result, submitted.facts);
+std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
+                                   const std::function<Diagnoser&(const Part&)>& diagnoserOf) {
+  const report::Result& result = graded.result;
+  const auto observed = diagnosis::outcomeDiagnosis(result, graded.facts);
   if (!report::scored(result.outcome))
     return observed ? std::vector{*observed} : std::vector<Diagnosis>{};
   std::vector<Diagnosis> all;
-  for (const Part& part : target_.parts) {
+  for (const Part& part : target.parts) {
     const std::vector<std::string> lost = lostItems(result, part);
     if (lost.empty()) continue;
     if (observed && result.outcome == report::Outcome::graded) {
@@ -156,8 +144,8 @@ std::vector<Diagnosis> Diagnosing::operator()(const Submitted& submitted,
       continue;
     }
     Diagnoser& diagnoser = diagnoserOf(part);
-    const Answer answer = diagnoser.answer(lost, shown(submitted.folders));
-    Diagnosis words = inWords(answer, submitted, part, diagnoser.catalogue(), result);
+    const Answer answer = diagnoser.answer(lost, shown(graded.students()));
+    Diagnosis words = inWords(answer, graded, part, diagnoser.catalogue());
     if (answer.id.empty() && observed) {
       words.id = observed->id;
       words.text = observed->text;

@@ -51,9 +51,9 @@ bool isStep(const std::string& name) {
 } // namespace
 
 Diagnoser::Diagnoser(const Target& target, const Part& part, const fs::path& solutionFolder,
-                     const ScenePlan& plan, const References& references, Progress progress)
-    : target_(target), part_(part), solutionFolder_(solutionFolder), plan_(plan),
-      references_(references), progress_(std::move(progress)),
+                     const References& references, Progress progress)
+    : target_(target), part_(part), solutionFolder_(solutionFolder), references_(references),
+      progress_(std::move(progress)),
       catalogue_(loadCatalogue(target.assignment, part, solutionFolder, solutionFolder)) {}
 
 const SceneViews& Diagnoser::reference(std::size_t scene) {
@@ -65,40 +65,39 @@ const SceneViews& Diagnoser::reference(std::size_t scene) {
 std::vector<std::size_t> Diagnoser::scenesOf(const std::vector<std::string>& items,
                                              bool changed) const {
   std::vector<std::size_t> scenes;
-  for (std::size_t i = 0; i < plan_.scenes.size(); ++i)
-    if (plan_.scenes[i].like.empty() != changed &&
+  for (std::size_t i = 0; i < references_.scenes.size(); ++i)
+    if (references_.scenes[i].like.empty() != changed &&
         std::ranges::any_of(part_.items, [&](const ItemDeclaration& item) {
           return std::ranges::find(items, item.id) != items.end() &&
-                 (item.scenes.empty() || intersect(item.scenes, plan_.scenes[i].tags));
+                 (item.scenes.empty() || intersect(item.scenes, references_.scenes[i].tags));
         }))
       scenes.push_back(i);
   return scenes;
 }
 
-std::vector<Faulty> Diagnoser::steps() const {
-  std::vector<Faulty> all;
+std::vector<Candidate> Diagnoser::steps() const {
+  std::vector<Candidate> all;
   std::set<std::string> filled;
   for (const Part& part : target_.assignment.parts)
     if (part.id != part_.id)
       for (const Todo& todo : part.todos) filled.insert(todo.id);
   for (std::size_t k = 0; k < part_.todos.size() && !part_.todos[k].bonus; ++k) {
-    all.push_back({fmt::format("step.{}", k), "", {}, filled});
+    all.push_back({fmt::format("step.{}", k), "", {solutionFolder_, {}, filled}});
     filled.insert(part_.todos[k].id);
   }
   return all;
 }
 
-Faulty Diagnoser::faulty(const Mistake& mistake) const {
+Candidate Diagnoser::candidateOf(const Mistake& mistake) const {
   return {mistake.name,
           mistake.same.empty() ? mistake.name : mistake.same,
-          {mistake.patch},
-          std::nullopt};
+          {solutionFolder_, {mistake.patch}}};
 }
 
-std::vector<Faulty> Diagnoser::suspects(const std::vector<std::string>& lost,
-                                        const std::set<std::string>& leftOut) const {
+std::vector<Candidate> Diagnoser::suspects(const std::vector<std::string>& lost,
+                                           const std::set<std::string>& leftOut) const {
   // The program up to each step: what isn't there yet is no mistake.
-  std::vector<Faulty> all = steps();
+  std::vector<Candidate> all = steps();
   for (const Mistake& mistake : catalogue_.mistakes) {
     const bool shows =
         mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
@@ -107,25 +106,25 @@ std::vector<Faulty> Diagnoser::suspects(const std::vector<std::string>& lost,
     const bool bonus = fails != part_.items.end() && fails->kind == report::ItemKind::bonus;
     if (shows && !leftOut.count(mistake.name) &&
         (bonus || std::ranges::find(lost, mistake.fails) != lost.end()))
-      all.push_back(faulty(mistake));
+      all.push_back(candidateOf(mistake));
   }
   return all;
 }
 
-std::vector<diagnosis::Signature> Diagnoser::signaturesOf(const std::vector<Faulty>& programs,
+std::vector<diagnosis::Signature> Diagnoser::signaturesOf(const std::vector<Candidate>& programs,
                                                           const std::vector<std::size_t>& scenes) {
   const auto views = [this](std::size_t scene) -> const SceneViews& { return reference(scene); };
-  return renderSignatures(target_, solutionFolder_, programs, plan_, scenes, references_, views,
+  return renderSignatures(target_, solutionFolder_, programs, scenes, references_, views,
                           progress_);
 }
 
 bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
                             const std::vector<std::string>& lost, Identified::By by,
                             const diagnosis::Thresholds& thresholds) {
-  std::vector<Faulty> both;
+  std::vector<Candidate> both;
   for (const std::string& name : {a, b}) {
-    if (const Mistake* mistake = catalogue_.mistake(name)) both.push_back(faulty(*mistake));
-    for (Faulty& step : steps())
+    if (const Mistake* mistake = catalogue_.mistake(name)) both.push_back(candidateOf(*mistake));
+    for (Candidate& step : steps())
       if (step.name == name) both.push_back(std::move(step));
   }
   if (both.size() != 2) return false;
@@ -137,7 +136,7 @@ bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
   return (by == Identified::By::firstPass ? like.first : like.all) >= thresholds.same;
 }
 
-std::optional<Answer> Diagnoser::known(const std::vector<Faulty>& suspects,
+std::optional<Answer> Diagnoser::known(const std::vector<Candidate>& suspects,
                                        const std::vector<std::size_t>& scenes, const Run& student,
                                        double least, const diagnosis::Thresholds& thresholds) {
   // The scene in which most is wrong: the public one if it can, because it is the same with every
@@ -148,7 +147,7 @@ std::optional<Answer> Diagnoser::known(const std::vector<Faulty>& suspects,
   for (const std::size_t scene : scenes) all.push_back(reference(scene));
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     const auto wrong = diagnosis::firstWrong({student[i]}, {all[i]}, least);
-    if (wrong && plan_.scenes[scenes[i]].isPublic) {
+    if (wrong && references_.scenes[scenes[i]].isPublic) {
       telling = i;
       break;
     }
@@ -164,7 +163,7 @@ std::optional<Answer> Diagnoser::known(const std::vector<Faulty>& suspects,
         like >= kFinalist)
       ranked.emplace_back(-like, i);
   std::ranges::sort(ranked);
-  std::vector<Faulty> finalists;
+  std::vector<Candidate> finalists;
   for (const auto& [like, i] : ranked) {
     // Those that are as like as the last one taken are not dropped by chance.
     if (finalists.size() >= kFinalists && like > ranked[kFinalists - 1].first + 0.01) break;
@@ -265,7 +264,7 @@ Answer Diagnoser::answer(const std::vector<std::string>& lost, const Shown& show
     first->scene = scenes[first->scene];
     // A place in the public scene helps more than one that nobody may see.
     for (std::size_t i = 0; i < scenes.size(); ++i)
-      if (plan_.scenes[scenes[i]].isPublic && first->scene != scenes[i])
+      if (references_.scenes[scenes[i]].isPublic && first->scene != scenes[i])
         if (auto there = diagnosis::firstWrong({student[i]}, {right[i]});
             there && there->slot == first->slot) {
           first = there;

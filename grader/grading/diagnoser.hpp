@@ -39,7 +39,7 @@ public:
   /// Reads the catalogue. Everything that is passed must outlive this. Throws UsageError for a
   /// fault in the catalogue.
   Diagnoser(const Target& target, const Part& part, const std::filesystem::path& solutionFolder,
-            const ScenePlan& plan, const References& references, Progress progress);
+            const References& references, Progress progress);
 
   /// \param lost IDs of the part's items that lost points
   /// \param leftOut names of mistakes that are not to be known, for measuring
@@ -59,13 +59,13 @@ public:
 
 private:
   const diagnosis::SceneViews& reference(std::size_t scene);
-  std::vector<Faulty> steps() const;
-  Faulty faulty(const Mistake& mistake) const;
-  std::vector<diagnosis::Signature> signaturesOf(const std::vector<Faulty>& programs,
+  std::vector<Candidate> steps() const;
+  Candidate candidateOf(const Mistake& mistake) const;
+  std::vector<diagnosis::Signature> signaturesOf(const std::vector<Candidate>& programs,
                                                  const std::vector<std::size_t>& scenes);
-  std::vector<Faulty> suspects(const std::vector<std::string>& lost,
-                               const std::set<std::string>& leftOut) const;
-  std::optional<Answer> known(const std::vector<Faulty>& suspects,
+  std::vector<Candidate> suspects(const std::vector<std::string>& lost,
+                                  const std::set<std::string>& leftOut) const;
+  std::optional<Answer> known(const std::vector<Candidate>& suspects,
                               const std::vector<std::size_t>& scenes, const diagnosis::Run& student,
                               double least, const diagnosis::Thresholds& thresholds);
   std::optional<Answer> changed(const std::vector<std::size_t>& scenes,
@@ -75,7 +75,6 @@ private:
   const Target& target_;
   const Part& part_;
   std::filesystem::path solutionFolder_;
-  const ScenePlan& plan_;
   const References& references_;
   Progress progress_;
   Catalogue catalogue_;

@@ -2,12 +2,11 @@
 
 #include "grading/carry.hpp"
 #include "grading/diagnose.hpp"
-#include "grading/judge_process.hpp"
-#include "grading/overlay.hpp"
-#include "grading/workspace.hpp"
 #include "image/compare.hpp"
 #include "image/difference.hpp"
 #include "image/flip.hpp"
+#include "intake/unpack.hpp"
+#include "report/reports.hpp"
 #include "report/text.hpp"
 #include "words/words.hpp"
 
@@ -16,9 +15,9 @@
 #include <xxhash.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <future>
-#include <thread>
 
 namespace ggrade::grading {
 
@@ -125,18 +124,18 @@ std::string compareRuns(const Rendering& first, const Rendering& again, report::
       where);
 }
 
-report::Scene describe(const rubric::SceneFolders& folders, const Rendering& rendering,
-                       ReferencePictures& pictures) {
+report::Scene describe(const GradedScene& graded, ReferencePictures& pictures) {
+  const Rendering& rendering = graded.rendering;
   report::Scene scene;
-  scene.name = folders.name;
-  scene.isPublic = folders.isPublic;
+  scene.name = graded.name;
+  scene.isPublic = graded.isPublic;
   scene.outcome = report::name(rendering.happened.outcome);
   scene.detail = rendering.happened.detail;
   scene.output = rendering.happened.output;
   scene.seconds = rendering.happened.seconds;
   scene.messages = remarks(rendering.capture);
   const auto student = rawFrames(rendering.capture);
-  const auto& reference = pictures.of(folders.reference);
+  const auto& reference = pictures.of(graded.reference);
   for (std::size_t i = 0; i < reference.size(); ++i) {
     scene.frames.push_back(
         compareFrames(i < student.size() ? rubric::toImage(student[i]) : Image(), reference[i]));
@@ -146,11 +145,12 @@ report::Scene describe(const rubric::SceneFolders& folders, const Rendering& ren
 }
 
 /// Byte for byte: whether a second run does the same is then no question.
-bool drawsTheReference(const Rendering& rendering, const rubric::SceneFolders& scene) {
+bool drawsTheReference(const GradedScene& scene) {
   const auto same = [](const channel::CapturedFrame& frame, const rubric::RawFrame& reference) {
     return frame.written && frame.pixels == reference.pixels;
   };
-  return std::ranges::equal(rendering.capture.frames, rubric::readFrames(scene.reference), same);
+  return std::ranges::equal(scene.rendering.capture.frames, rubric::readFrames(scene.reference),
+                            same);
 }
 
 /// Items as declared, nothing earned: for submissions that never came to be judged.
@@ -164,129 +164,26 @@ std::vector<report::Item> unearned(const Target& target, const std::string& why)
   return items;
 }
 
-struct Renderings {
-  std::vector<Rendering> scenes;
-  std::optional<Rendering> again; ///< the first scene's second run
-};
-
-/// Renders every scene of `references` with a built program into `studentFolder(i)`: frames and
-/// passes. The public scene goes first and leaves its shader cache in `shaderFolder` for the hidden
-/// ones: so no run can tell another what it saw of a hidden scene.
-template <class StudentFolder>
-Renderings renderScenes(const Target& target, const Built& built, const ScenePlan& plan,
-                        const References& references, const StudentFolder& studentFolder,
-                        const fs::path& shaderFolder, const GradeOptions& options,
-                        const std::function<void(std::size_t done)>& progress) {
-  std::vector<Rendering> renderings(references.scenes.size());
-  std::optional<Rendering> again;
-  std::atomic<std::size_t> done{1}, firstHung{renderings.size()};
-  ShaderCache shaders = references.shaders;
-  const auto run = [&](std::size_t i, const trace::Request& request) {
-    return renderScene(target.assignment.id, built.program, plan.scenes[i].scene,
-                       plan.scenes[i].times, shaders, isolation(), request);
-  };
-  const auto render = [&](std::size_t i) {
-    if (i > firstHung) return;
-    renderings[i] = run(i, gradingRequest());
-    // Copies of a whole frame's passes are too much to keep in memory for every scene.
-    trace::save(renderings[i].capture.trace, studentFolder(i));
-    renderings[i].capture.trace = {};
-    const Happened& happened = renderings[i].happened;
-    if (!happened.ok() && happened.seconds >= kRunSeconds)
-      for (std::size_t before = firstHung; i < before;)
-        if (firstHung.compare_exchange_weak(before, i)) break;
-    progress(++done);
-  };
-  std::size_t first = 0;
-  bool twice = false;
-  if (!references.scenes.empty() && references.scenes[0].isPublic) {
-    if (isolation() == sandbox::Isolation::none) {
-      fs::copy(references.shaders.folder, shaderFolder, fs::copy_options::recursive);
-      shaders = {shaderFolder, {}};
-    } else {
-      shaders.keep = shaderFolder;
-    }
-    render(first++);
-    shaders = {shaderFolder, {}};
-    twice = options.twice && plan.quality != Quality::fast && renderings[0].happened.ok() &&
-            !drawsTheReference(renderings[0], references.scenes[0]);
-  }
-  inParallel(renderings.size() - first + twice, options.threads, [&](std::size_t i) {
-    if (first + i < renderings.size())
-      render(first + i);
-    else if (firstHung == renderings.size())
-      again = run(0, {});
-  });
-  // One scene that hangs is enough to wait for. What comes after the first counts as not run,
-  // whether somebody was fast enough or not: so a result doesn't depend on how many go at a time.
-  if (firstHung < renderings.size()) again.reset();
-  for (std::size_t i = firstHung + 1; i < renderings.size(); ++i) {
-    renderings[i] = {};
-    renderings[i].happened = {
-        renderings[firstHung].happened.outcome,
-        say("not run: the program hung in scene {}", references.scenes[firstHung].name),
-        {},
-        0};
-    fs::remove_all(studentFolder(i));
-  }
-  for (std::size_t i = 0; i < renderings.size(); ++i)
-    rubric::writeFrames(studentFolder(i), rawFrames(renderings[i].capture));
-  return {std::move(renderings), std::move(again)};
-}
-
 /// The outcome of all scenes together, and the first remark or fault in words.
-void nameOutcome(const std::vector<Rendering>& renderings,
-                 const std::vector<rubric::SceneFolders>& folders, report::Result& result) {
+void nameOutcome(const std::vector<GradedScene>& scenes, report::Result& result) {
   result.outcome = Outcome::graded;
-  for (std::size_t i = 0; i < renderings.size(); ++i) {
-    const Happened& happened = renderings[i].happened;
+  for (const GradedScene& scene : scenes) {
+    const Happened& happened = scene.rendering.happened;
     // The first scene that didn't go well names the outcome; no frames outweighs a GL error, and a
     // fault of ours everything.
     const bool worse =
         result.outcome == Outcome::graded || (result.outcome == Outcome::glError && !happened.ok());
     if (happened.outcome != Outcome::graded && worse) {
       result.outcome = happened.outcome;
-      result.detail = fmt::format("{}: {}", folders[i].name, happened.detail);
+      result.detail = fmt::format("{}: {}", scene.name, happened.detail);
     }
   }
-  if (renderings.empty()) return;
+  if (scenes.empty()) return;
+  const channel::Capture& first = scenes[0].rendering.capture;
   if (result.outcome == Outcome::graded)
-    if (const auto seen = remarks(renderings[0].capture); !seen.empty())
-      result.detail = folders[0].name + ", " + seen[0];
-  result.fingerprint = fingerprint(renderings[0].capture);
-}
-
-Judging judgeAlone(const Target& target, const GradeOptions& options) {
-  return [&](const std::vector<rubric::SceneFolders>& scenes, const fs::path& work,
-             std::string& problem, const std::vector<std::string>& again) {
-    const fs::path evidence = work / "evidence.json";
-    rubric::writeEvidence(evidence, target.assignment.folder, target.id, scenes, again);
-    // A file of test results that the caller asked for is about the first judging.
-    return judge(target, evidence, work,
-                 again.empty() ? options.judgeArguments : std::vector<std::string>(), problem);
-  };
-}
-
-/// Judges the scenes and, where a pass failed, what follows it once more with the reference's. A
-/// fault of ours makes the result not gradable.
-void judgeAll(const FirstRun& first, const fs::path& work, report::Result& result) {
-  std::string problem;
-  {
-    const Stopwatch time(result, "judge");
-    result.items = first.judging(first.folders, work, problem, {});
-  }
-  if (problem.empty()) {
-    int runs = 0;
-    {
-      const Stopwatch time(result, "carry forward");
-      runs = carryForward(first, result.items, problem);
-    }
-    if (runs == 0) result.timings.pop_back();
-  }
-  if (!problem.empty()) {
-    result.outcome = Outcome::notGradable;
-    result.detail = problem;
-  }
+    if (const auto seen = remarks(first); !seen.empty())
+      result.detail = scenes[0].name + ", " + seen[0];
+  result.fingerprint = fingerprint(first);
 }
 
 /// Says so where two runs of the first scene differ.
@@ -301,11 +198,6 @@ void nameUnsteady(const Rendering& first, const Rendering& again, report::Result
 
 } // namespace
 
-void nameScenes(const ScenePlan& plan, report::Result& result) {
-  result.seed = plan.seed;
-  result.quality = nameOf(plan.quality);
-}
-
 void addUp(report::Result& result) {
   double sum = 0, bonus = 0;
   for (const report::Item& item : result.items)
@@ -315,7 +207,8 @@ void addUp(report::Result& result) {
   result.bonus = result.score > 0 ? std::round(bonus * 10) / 10 : 0;
 }
 
-report::Result ungraded(const Target& target, Outcome outcome, const std::string& detail) {
+report::Result ungraded(const Target& target, const ScenePlan& plan, Outcome outcome,
+                        const std::string& detail) {
   report::Result result;
   result.assignment = target.assignment.id;
   result.part = target.id;
@@ -323,127 +216,243 @@ report::Result ungraded(const Target& target, Outcome outcome, const std::string
   result.maxScore = target.maxScore();
   result.sandbox = isolation() == sandbox::Isolation::bwrap ? "bwrap" : "none";
   result.thresholds = {{"tolerance", kTolerance}, {"radius", kRadius}, {"window", kWindowSide}};
+  result.seed = plan.seed;
+  result.quality = nameOf(plan.quality);
   result.outcome = outcome;
   result.detail = detail;
   result.items = unearned(target, say("the program was not built"));
   return result;
 }
 
-Built buildSubmission(const Target& target, const GradeOptions& options) {
-  const Assignment& assignment = target.assignment;
-  Built built;
-  built.result = ungraded(target, Outcome::buildFailed, {});
-  report::Result& result = built.result;
-  result.submission =
-      report::sanitizeLine(fs::weakly_canonical(options.upload).filename().string());
+std::vector<fs::path> Graded::students() const {
+  std::vector<fs::path> all;
+  for (const GradedScene& scene : scenes) all.push_back(scene.student);
+  return all;
+}
 
-  built.work = std::make_unique<TemporaryFolder>();
-  built.program = built.work->makeVisible("program");
-  const Overlay taken = overlay(assignment, options.upload, built.program);
-  if (!options.solution) result.unusedFiles = taken.unused;
+Grader::Grader(const Target& target, fs::path solutionFolder, ScenePlan plan, GraderOptions options,
+               std::optional<References> references)
+    : target_(target), solutionFolder_(std::move(solutionFolder)), plan_(std::move(plan)),
+      options_(std::move(options)), references_(std::move(references)) {}
+
+const References& Grader::references() {
+  std::call_once(prepared_, [&] {
+    if (!references_)
+      references_ = prepareReferences(target_, solutionFolder_, plan_, options_.progress);
+  });
+  return *references_;
+}
+
+Judge& Grader::theJudge() {
+  std::call_once(started_, [&] { judge_.emplace(target_, references().scenes, options_.many); });
+  return *judge_;
+}
+
+void Grader::prepare() {
+  references();
+  theJudge();
+}
+
+report::Result Grader::gradeUpload(const intake::Upload& upload) {
+  TemporaryFolder work;
+  const fs::path folder = work.path() / "upload";
+  const intake::Unpacked unpacked =
+      intake::unpack(upload, target_.assignment.files, folder, isolation(), &interrupted);
+  report::Result result;
+  try {
+    if (!unpacked.problem.empty()) throw NothingToGrade(unpacked.problem);
+    result = grade(std::make_shared<Program>(target_.assignment, Recipe{folder}, isolation(),
+                                             Program::Use::once),
+                   false);
+  } catch (const NothingToGrade& error) {
+    result = ungraded(target_, plan_, Outcome::buildFailed, error.what());
+  }
+  for (const auto* list : {&unpacked.refused, &unpacked.remarks})
+    result.unusedFiles.insert(result.unusedFiles.end(), list->begin(), list->end());
+  return result;
+}
+
+report::Result Grader::gradeTrusted(const fs::path& folder) {
+  return grade(std::make_shared<Program>(target_.assignment, Recipe{folder}, isolation(),
+                                         Program::Use::once),
+               true);
+}
+
+report::Result Grader::grade(const std::shared_ptr<Program>& program, bool trusted) {
+  program->files(); // nothing to grade: said before the references are rendered for it
+  prepare();        // the judge reads while the compiler runs
+  Graded graded = draw(build(program, trusted));
+  judge(graded);
+  if (options_.diagnosis) diagnose(graded);
+  options_.progress("done", 1, 1);
+  return std::move(graded.result);
+}
+
+Built Grader::build(const std::shared_ptr<Program>& program, bool trusted) {
+  Built built{ungraded(target_, plan_, Outcome::buildFailed, {}), program};
+  report::Result& result = built.result;
+  const Overlay& taken = program->files();
+  if (!trusted) result.unusedFiles = taken.unused;
   for (const std::string& name : taken.missing)
     result.unusedFiles.push_back(say("{}: not in the upload; the handed-out file stands in", name));
-
-  if (options.progress) options.progress("building", 0, 1);
+  options_.progress("building", 0, 1);
   Happened happened;
   {
     const Stopwatch time(result, "build");
-    happened = buildProgram(assignment.id, built.program, isolation());
+    happened = program->build();
   }
   result.compilerOutput = happened.output;
   result.outcome = happened.outcome;
   result.detail = happened.detail;
-  if (happened.ok())
-    result.items.clear();
-  else if (const auto observed = diagnosis::outcomeDiagnosis(result, {});
-           observed && options.examining)
-    result.diagnoses = {*observed};
+  if (happened.ok()) result.items.clear();
   return built;
 }
 
-report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const References& references,
-                          const Built& built, const GradeOptions& options) {
-  const Progress progress =
-      options.progress ? options.progress : Progress([](const auto&, auto, auto) {});
-  report::Result result = built.result;
-  nameScenes(plan, result);
-  if (result.outcome != Outcome::graded) return result;
+Graded Grader::draw(const Built& built, std::size_t count) {
+  Graded graded;
+  graded.result = built.result;
+  graded.result.seed = plan_.seed;
+  graded.result.quality = nameOf(plan_.quality);
+  graded.program = built.program;
+  if (built.result.outcome != Outcome::graded) return graded;
 
-  const auto kept =
-      options.referencePictures ? options.referencePictures : std::make_shared<ReferencePictures>();
-  ReferencePictures& pictures = *kept;
-  const std::size_t steps = references.scenes.size() + 2;
-  TemporaryFolder work;
-  std::vector<rubric::SceneFolders> folders = references.scenes;
-  const auto studentFolder = [&](std::size_t i) {
-    return work.path() / fmt::format("student-{}", i);
-  };
-  for (std::size_t i = 0; i < folders.size(); ++i) folders[i].student = studentFolder(i);
-  const fs::path shaders = work.makeVisible("shaders");
-  Renderings renderings;
-  {
-    const Stopwatch time(result, "render");
-    progress("rendering", 1, steps);
-    renderings = renderScenes(target, built, plan, references, studentFolder, shaders, options,
-                              [&](std::size_t done) { progress("rendering", done, steps); });
+  const References& known = references();
+  graded.work = std::make_unique<TemporaryFolder>();
+  const fs::path shaderFolder = graded.work->makeVisible("shaders");
+  std::vector<GradedScene>& scenes = graded.scenes;
+  for (const rubric::SceneFolders& scene : known.scenes) {
+    if (scenes.size() == count) break;
+    scenes.push_back({scene, {}});
+    scenes.back().student = graded.work->path() / fmt::format("student-{}", scenes.size() - 1);
   }
-  nameOutcome(renderings.scenes, folders, result);
+  std::optional<Stopwatch> time(std::in_place, graded.result, "render");
+  const std::size_t steps = scenes.size() + 2;
+  options_.progress("rendering", 1, steps);
+  std::atomic<std::size_t> done{1}, firstHung{scenes.size()};
+  graded.shaders = known.shaders;
+  const auto run = [&](std::size_t i, const trace::Request& request) {
+    return graded.program->render(scenes[i].scene, scenes[i].times, graded.shaders, request);
+  };
+  const auto render = [&](std::size_t i) {
+    if (i > firstHung) return;
+    Rendering& rendering = scenes[i].rendering = run(i, gradingRequest());
+    // Copies of a whole frame's passes are too much to keep in memory for every scene.
+    trace::save(rendering.capture.trace, scenes[i].student);
+    rendering.capture.trace = {};
+    const Happened& happened = rendering.happened;
+    if (!happened.ok() && happened.seconds >= kRunSeconds)
+      for (std::size_t before = firstHung; i < before;)
+        if (firstHung.compare_exchange_weak(before, i)) break;
+    options_.progress("rendering", ++done, steps);
+  };
+  std::size_t first = 0;
+  bool twice = false;
+  if (!scenes.empty() && scenes[0].isPublic) {
+    if (isolation() == sandbox::Isolation::none) {
+      fs::copy(known.shaders.folder, shaderFolder, fs::copy_options::recursive);
+      graded.shaders = {shaderFolder, {}};
+    } else {
+      graded.shaders.keep = shaderFolder;
+    }
+    render(first++);
+    graded.shaders = {shaderFolder, {}};
+    twice = options_.twice && plan_.quality != Quality::fast && scenes[0].rendering.happened.ok() &&
+            !drawsTheReference(scenes[0]);
+  }
+  inParallel(scenes.size() - first + twice, options_.threads, [&](std::size_t i) {
+    if (first + i < scenes.size())
+      render(first + i);
+    else if (firstHung == scenes.size())
+      graded.again = run(0, {});
+  });
+  // One scene that hangs is enough to wait for. What comes after the first counts as not run,
+  // whether somebody was fast enough or not: so a result doesn't depend on how many go at a time.
+  if (firstHung < scenes.size()) graded.again.reset();
+  for (std::size_t i = firstHung + 1; i < scenes.size(); ++i) {
+    scenes[i].rendering = {};
+    scenes[i].rendering.happened = {
+        scenes[firstHung].rendering.happened.outcome,
+        say("not run: the program hung in scene {}", scenes[firstHung].name),
+        {},
+        0};
+    fs::remove_all(scenes[i].student);
+  }
+  for (const GradedScene& scene : scenes)
+    rubric::writeFrames(scene.student, rawFrames(scene.rendering.capture));
+  time.reset();
+  nameOutcome(scenes, graded.result);
+  if (!scenes.empty())
+    graded.facts = factsOf(scenes[0].rendering.capture, trace::load(scenes[0].student));
+  return graded;
+}
 
-  progress("judging", steps - 1, steps);
+void Grader::judge(Graded& graded) {
+  if (!graded.work) return; // not built
+  report::Result& result = graded.result;
+  options_.progress("judging", graded.scenes.size() + 1, graded.scenes.size() + 2);
   // The pictures for the report are compared while the rubric judges, or after it.
-  const auto when = options.threads > 1 ? std::launch::async : std::launch::deferred;
+  const auto when = options_.threads > 1 ? std::launch::async : std::launch::deferred;
   std::future<std::vector<report::Scene>> scenes = std::async(when, [&] {
     std::vector<report::Scene> all;
-    if (options.pictures)
-      for (std::size_t i = 0; i < folders.size(); ++i)
-        all.push_back(describe(folders[i], renderings.scenes[i], pictures));
+    if (options_.pictures)
+      for (const GradedScene& scene : graded.scenes) all.push_back(describe(scene, pictures_));
     return all;
   });
-  const Judging judging = options.judging ? options.judging : judgeAlone(target, options);
-  judgeAll({target, plan, references, built.program, {shaders}, folders, judging, options.threads},
-           work.path(), result);
+  std::string problem;
+  {
+    const Stopwatch time(result, "judge");
+    result.items = theJudge().judge({graded.students(), options_.judgeArguments},
+                                    graded.work->path(), problem);
+  }
+  if (problem.empty()) {
+    int runs = 0;
+    {
+      const Stopwatch time(result, "carry forward");
+      runs = carryForward(target_, theJudge(), graded, options_.threads, problem);
+    }
+    if (runs == 0) result.timings.pop_back();
+  }
+  if (!problem.empty()) {
+    result.outcome = Outcome::notGradable;
+    result.detail = problem;
+  }
   addUp(result);
   result.scenes = scenes.get();
-  if (renderings.again) nameUnsteady(renderings.scenes[0], *renderings.again, result);
-  if (options.examining && !folders.empty()) {
-    const Stopwatch time(result, "diagnose");
-    Submitted submitted{plan, references, {}, {}};
-    for (const rubric::SceneFolders& scene : folders) submitted.folders.push_back(scene.student);
-    submitted.facts = factsOf(renderings.scenes[0].capture, trace::load(submitted.folders[0]));
-    options.examining(submitted, result);
+  if (graded.again) nameUnsteady(graded.scenes[0].rendering, *graded.again, result);
+}
+
+void Grader::diagnose(Graded& graded) {
+  report::Result& result = graded.result;
+  if (!graded.work) { // not built
+    if (const auto observed = diagnosis::outcomeDiagnosis(result, {}))
+      result.diagnoses = {*observed};
+    return;
   }
-  progress("done", steps, steps);
-  return result;
+  if (graded.scenes.empty()) return;
+  const Stopwatch time(result, "diagnose");
+  const std::lock_guard lock(diagnosing_);
+  try {
+    result.diagnoses = diagnosesOf(target_, graded, [&](const Part& part) -> Diagnoser& {
+      const auto known = diagnosers_.find(part.id);
+      if (known != diagnosers_.end()) return known->second;
+      return diagnosers_
+          .try_emplace(part.id, target_, part, solutionFolder_, references(), options_.progress)
+          .first->second;
+    });
+  } catch (const UsageError&) {
+    // The catalogue is the instructor's; its faults cost nobody a grade.
+    report::Diagnosis none;
+    none.text = say("No cause was looked for: the catalogue of mistakes has a fault, which "
+                    "ggrade calibrate names.");
+    result.diagnoses = {none};
+  }
 }
 
-Examining diagnosing(const Target& target, const fs::path& solutionFolder,
-                     const Progress& progress) {
-  const auto kept = std::make_shared<std::optional<Diagnosing>>();
-  return [=, &target](const Submitted& submitted, report::Result& result) {
-    try {
-      if (!*kept)
-        kept->emplace(target, solutionFolder, submitted.plan, submitted.references, progress);
-      result.diagnoses = (**kept)(submitted, result);
-    } catch (const UsageError&) {
-      // The catalogue is the instructor's; its faults cost nobody a grade.
-      report::Diagnosis none;
-      none.text = say("No cause was looked for: the catalogue of mistakes has a fault, which "
-                      "ggrade calibrate names.");
-      result.diagnoses = {none};
-    }
-  };
-}
-
-report::Result grade(const Target& target, const fs::path& solutionFolder,
-                     const GradeOptions& options) {
-  const ScenePlan plan = drawScenes(target, solutionFolder, options.draw);
-  const Progress progress =
-      options.progress ? options.progress : Progress([](const auto&, auto, auto) {});
-  GradeOptions how = options;
-  if (options.diagnosis) how.examining = diagnosing(target, solutionFolder, progress);
-  const Built built = buildSubmission(target, how);
-  const References references = prepareReferences(target, solutionFolder, plan, progress);
-  return gradeBuilt(target, plan, references, built, how);
+void publishReports(const report::Result& result, const fs::path& out, report::Reveal reveal) {
+  // Beside the destination, so that it can be moved there in one step.
+  TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
+  report::writeReports(work.path(), result, reveal);
+  work.publish(out);
 }
 
 } // namespace ggrade::grading

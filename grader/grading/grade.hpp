@@ -1,81 +1,122 @@
 #pragma once
 /// \file
-/// Grading one submission, from the upload to a result that the reports are written from.
+/// Grading: from an upload to a result that the reports are written from.
 
+#include "grading/diagnoser.hpp"
+#include "grading/judge.hpp"
 #include "grading/reference_pictures.hpp"
 #include "grading/references.hpp"
-#include "grading/submitted.hpp"
-#include "grading/workspace.hpp"
+#include "intake/find_uploads.hpp"
 #include "report/results.hpp"
+#include "report/reveal.hpp"
 
 #include <memory>
 #include <optional>
 
 namespace ggrade::grading {
 
-/// Judges scenes whose folders are all filled in; `work` is for its files. `problem` says why items
-/// stay unjudged. `again` names the items that are judged once more, by first frames alone, in the
-/// scenes that have a student's folder; empty: all items.
-using Judging = std::function<std::vector<report::Item>(
-    const std::vector<rubric::SceneFolders>& scenes, const std::filesystem::path& work,
-    std::string& problem, const std::vector<std::string>& again)>;
+/// A scene of a grading: what it is, where the pictures lie that were made in it, and how the
+/// submission's run there went.
+struct GradedScene : rubric::SceneFolders {
+  Rendering rendering; ///< frames alone: passes lie in `student`
+};
 
-/// Adds to a judged submission's result what it finds out.
-using Examining = std::function<void(const Submitted&, report::Result&)>;
+/// A submission that was built, to be graded with one seed or several.
+struct Built {
+  report::Result result; ///< what every grading of it says, its outcome included
+  std::shared_ptr<Program> program;
+};
 
-struct GradeOptions {
-  std::filesystem::path upload;
-  bool solution =
-      false; ///< `upload` is a trusted folder of solutions/, its other files are expected
-  Draw draw;
-  std::vector<std::string> judgeArguments; ///< GoogleTest's
+/// A submission on its way through a grading. What it drew goes with this.
+struct Graded {
+  report::Result result;
+  std::shared_ptr<Program> program;
+  std::vector<GradedScene> scenes; ///< the public one first; none where it wasn't built
+  std::optional<Rendering> again;  ///< the public scene's second run
+  diagnosis::Facts facts;          ///< of the first scene
+  ShaderCache shaders;             ///< what the program has compiled
+  std::unique_ptr<TemporaryFolder> work;
+
+  /// Folders of frames and passes, by scene.
+  std::vector<std::filesystem::path> students() const;
+};
+
+struct GraderOptions {
+  std::vector<std::string> judgeArguments = {}; ///< GoogleTest's
   bool pictures = true; ///< false for who wants scores only: the result has items but no scenes
   /// Does the public scene run a second time (not with quality `fast`, nor if the program draws the
   /// reference's picture) to see whether the program draws the same again?
   bool twice = true;
+  bool diagnosis = true;        ///< is the likeliest cause of lost points looked for?
+  bool many = false;            ///< is more than one submission to come?
   unsigned threads = workers(); ///< scenes rendered at a time; 1: nothing goes on beside another
-  bool diagnosis = true;        ///< `grade` looks for the likeliest cause of lost points
-  /// For who grades many submissions, one at a time, against the same references; empty: read anew.
-  std::shared_ptr<ReferencePictures> referencePictures;
-  Judging judging;     ///< empty: a judge's process for this grading alone
-  Examining examining; ///< looks closer at what `gradeBuilt` judged, if anything does
-  Progress progress;
+  Progress progress = [](const std::string&, std::size_t, std::size_t) {};
 };
 
-/// A submission that was overlaid and built once, to be graded with one seed or several.
-struct Built {
-  report::Result result;                 ///< what every grading of it says, its outcome included
-  std::unique_ptr<TemporaryFolder> work; ///< removed with it
-  std::filesystem::path program;         ///< the overlaid files and the program
-};
+/// Grades submissions of one target in the scenes of one plan. Keeps what they share: the
+/// references, the judge, and what is known of mistakes. Several threads may ask.
+/// \code
+/// Grader grader(target, solutions, drawScenes(target, solutions), {});
+/// const report::Result result = grader.gradeUpload(upload);
+/// \endcode
+class Grader {
+public:
+  /// Nothing is rendered before it is needed. `references`: rendered already.
+  Grader(const Target& target, std::filesystem::path solutionFolder, ScenePlan plan,
+         GraderOptions options, std::optional<References> references = {});
 
-/// Says in a result which scenes it is about.
-void nameScenes(const ScenePlan& plan, report::Result& result);
+  /// Renders the references and starts the judge. Throws UsageError where our own programs fail,
+  /// and Interrupted, as everything does that follows.
+  void prepare();
+
+  /// From an upload as it came to the result. What can't be unpacked, or holds nothing of the
+  /// assignment, was not built, and the result says why.
+  report::Result gradeUpload(const intake::Upload& upload);
+  /// The same of a folder whose other files are expected. Throws UsageError where it isn't there or
+  /// holds nothing of the assignment.
+  report::Result gradeTrusted(const std::filesystem::path& folder);
+  /// The steps of all that: builds, draws, judges, diagnoses.
+  report::Result grade(const std::shared_ptr<Program>& program, bool trusted);
+
+  /// Builds the program. One that doesn't build is no error: see the result's outcome.
+  Built build(const std::shared_ptr<Program>& program, bool trusted);
+  /// Renders it in the first `scenes` scenes of the plan. The public one goes first and leaves its
+  /// shader cache for the hidden ones: so no run can tell another what it saw of a hidden scene.
+  Graded draw(const Built& built, std::size_t scenes = std::size_t(-1));
+  /// Judges what was drawn and, where a pass failed, what follows it once more with the
+  /// reference's. A fault of ours makes the result not gradable.
+  void judge(Graded& graded);
+  /// Looks for the likeliest cause of lost points. What known mistakes show is rendered and kept
+  /// the first time it is needed.
+  void diagnose(Graded& graded);
+
+  const ScenePlan& plan() const { return plan_; }
+  const References& references();
+  /// The judge of the plan's scenes.
+  Judge& theJudge();
+
+private:
+  const Target& target_;
+  const std::filesystem::path solutionFolder_;
+  const ScenePlan plan_;
+  const GraderOptions options_;
+  std::once_flag prepared_, started_;
+  std::optional<References> references_;
+  std::optional<Judge> judge_;
+  ReferencePictures pictures_;
+  std::mutex diagnosing_;
+  std::map<std::string, Diagnoser> diagnosers_; ///< by part
+};
 
 /// The result of a submission of which nothing was built, for the reason `detail`.
-report::Result ungraded(const Target& target, report::Outcome outcome, const std::string& detail);
-
-/// Overlays and builds `options.upload`. A program that doesn't build is no error: see the result's
-/// outcome. Throws UsageError (no such folder) and Interrupted.
-Built buildSubmission(const Target& target, const GradeOptions& options);
-
-/// Renders and judges what was built, in the scenes of `plan`, of which `references` has the rest.
-/// The result's outcome says how that went. Throws Interrupted. Several threads may grade one
-/// Built.
-report::Result gradeBuilt(const Target& target, const ScenePlan& plan, const References& references,
-                          const Built& built, const GradeOptions& options);
-
-/// Looks for the likeliest cause of lost points of submissions that are all graded with one plan;
-/// that, its references and `target` must outlive it.
-Examining diagnosing(const Target& target, const std::filesystem::path& solutionFolder,
-                     const Progress& progress);
+report::Result ungraded(const Target& target, const ScenePlan& plan, report::Outcome outcome,
+                        const std::string& detail);
 
 /// The score and the bonus that `result.items` add up to.
 void addUp(report::Result& result);
 
-/// Grades one upload once, in the scenes of `options.draw`. Faults of the instructor's side (no
-/// such folder, a broken reference) are UsageErrors. Throws Interrupted.
-report::Result grade(const Target& target, const std::filesystem::path& solutionFolder,
-                     const GradeOptions& options);
+/// Writes results.json, junit.xml, index.html and student.html to `out`, all or none.
+void publishReports(const report::Result& result, const std::filesystem::path& out,
+                    report::Reveal reveal);
 
 } // namespace ggrade::grading

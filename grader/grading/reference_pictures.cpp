@@ -6,6 +6,7 @@ namespace ggrade::grading {
 
 const std::vector<ReferencePictures::Frame>&
 ReferencePictures::of(const std::filesystem::path& folder) {
+  const std::lock_guard lock(mutex_);
   const auto [entry, fresh] = known_.try_emplace(folder);
   if (fresh)
     for (rubric::RawFrame& raw : rubric::readFrames(folder)) {

@@ -5,12 +5,14 @@
 #include "rubric/evidence.hpp"
 
 #include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
 namespace ggrade::grading {
 
 /// Reads and encodes the reference's frames once for all submissions that they are held against.
+/// Several threads may ask.
 class ReferencePictures {
 public:
   struct Frame {
@@ -23,6 +25,7 @@ public:
   const std::vector<Frame>& of(const std::filesystem::path& folder);
 
 private:
+  std::mutex mutex_;
   std::map<std::filesystem::path, std::vector<Frame>> known_;
 };
 

@@ -3,8 +3,8 @@
 /// The reference's, stub's and probes' pictures, rendered once and kept.
 
 #include "grading/parallel.hpp"
-#include "grading/program.hpp"
 #include "grading/scenes.hpp"
+#include "grading/store.hpp"
 #include "rubric/evidence.hpp"
 
 #include <functional>
@@ -19,12 +19,6 @@ struct References {
   ShaderCache shaders;                      ///< warmed by the stub
   ShaderCache ownShaders; ///< warmed by the reference; for programs whose words reach no student
 };
-
-/// Where pictures of hidden scenes may be kept: private to this user. Throws UsageError.
-std::filesystem::path cacheFolder();
-
-/// A hash of `text`, as file names in the cache are made of.
-std::string hashOf(const std::string& text);
 
 /// What the pictures of the reference and the stub depend on besides the scenes: tool, renderer and
 /// programs.

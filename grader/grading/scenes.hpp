@@ -3,9 +3,9 @@
 /// The scenes that a submission is rendered in: the public one and hidden ones drawn from a seed.
 
 #include "assignment/assignment.hpp"
+#include "rubric/evidence.hpp"
 
 #include <cstdint>
-#include <map>
 #include <optional>
 
 namespace ggrade::grading {
@@ -33,20 +33,7 @@ struct Draw {
   bool operator==(const Draw&) const = default;
 };
 
-/// One scene to render, fully drawn: no random choice is left in it.
-struct SceneCase {
-  std::string name; ///< in the language that was chosen
-  bool isPublic = false;
-  std::vector<std::string> tags; ///< what it can show; rubric items choose scenes by tag
-  std::vector<double> times;     ///< seconds, one a frame
-  nlohmann::json scene;          ///< a whole scene file
-  std::string like;              ///< the scene that this one is a change of; empty: of none
-  /// Scenes that only the reference is rendered in, to learn where things are (masks) and what a
-  /// feature changes: the scene with a patch merged over it. A probe with tags belongs to the
-  /// scenes that share one.
-  std::map<std::string, nlohmann::json> probes;
-  std::string english = {}; ///< the name as scenes.json has it; empty: `name`
-};
+using rubric::SceneCase;
 
 struct ScenePlan {
   std::uint64_t seed = 0;

@@ -6,37 +6,28 @@
 #include "grading/references.hpp"
 
 #include <functional>
-#include <set>
 
 namespace ggrade::grading {
 
-/// A program that is made from the solution: with patches, or with the TODOs of a part up to some
-/// step.
-struct Faulty {
+/// A program that a submission may show the same as: one with a known fault, or an unfinished one.
+struct Candidate {
   std::string name;
-  std::string group;                          ///< see diagnosis::Signature
-  std::vector<std::filesystem::path> patches; ///< applied one after the other
-  /// Only these TODOs are filled in; nothing: all of them.
-  std::optional<std::set<std::string>> filled;
+  std::string group; ///< see diagnosis::Signature
+  Recipe recipe;
 };
-
-/// Writes the program's files to `into` (made if missing). Throws UsageError where that can't be
-/// done.
-void writeFaulty(const Assignment& assignment, const std::filesystem::path& solutionFolder,
-                 const Faulty& faulty, const std::filesystem::path& into);
 
 /// What the reference shows in a scene of the plan.
 using ReferenceViews = std::function<const diagnosis::SceneViews&(std::size_t scene)>;
 
-/// What each of `programs` shows in the scenes with these numbers of the plan, rendered in the
+/// What each of the candidates shows in the scenes with these numbers, rendered in the
 /// sandbox unless it lies in the cache; an empty SceneViews where it shows nothing there. A program
 /// that can't be made any more (its patch doesn't apply) shows nothing at all: `ggrade calibrate`
 /// names it. Throws Interrupted.
 std::vector<diagnosis::Signature>
 renderSignatures(const Target& target, const std::filesystem::path& solutionFolder,
-                 const std::vector<Faulty>& programs, const ScenePlan& plan,
-                 const std::vector<std::size_t>& scenes, const References& references,
-                 const ReferenceViews& reference, const Progress& progress);
+                 const std::vector<Candidate>& candidates, const std::vector<std::size_t>& scenes,
+                 const References& references, const ReferenceViews& reference,
+                 const Progress& progress);
 
 /// The frames in a folder (see rubric::writeFrames), RGB.
 std::vector<Image> framesIn(const std::filesystem::path& folder);

@@ -1,6 +1,5 @@
 #include "rubric/rubric.hpp"
 
-#include "image/memory.hpp"
 #include "words/words.hpp"
 
 #include <fmt/format.h>
@@ -43,11 +42,12 @@ Verdict checked(const Judge& judge, const View& view) {
 class ItemTest : public testing::Test {
 public:
   ItemTest(ItemDeclaration item, const std::vector<ItemDeclaration>& items,
-           const Evidence& evidence, std::map<std::string, json>& results)
-      : item_(std::move(item)), items_(items), evidence_(evidence), results_(results) {}
+           const Evidence& evidence, Floors* floors, std::map<std::string, json>& results)
+      : item_(std::move(item)), items_(items), evidence_(evidence), floors_(floors),
+        results_(results) {}
 
   void TestBody() override {
-    const Decision decision = decide(item_, judgeOf(item_.id), evidence_);
+    const Decision decision = decide(item_, judgeOf(item_.id), evidence_, floors_);
     const bool keep = item_.kind == report::ItemKind::keep;
     json line = lineOf(item_, decision);
     line["outputs"] = outputsOf(item_, items_, decision, evidence_);
@@ -62,6 +62,7 @@ private:
   ItemDeclaration item_;
   const std::vector<ItemDeclaration>& items_;
   const Evidence& evidence_;
+  Floors* const floors_;
   std::map<std::string, json>& results_;
 };
 
@@ -187,12 +188,9 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
   return decision;
 }
 
-int runJudge(const std::filesystem::path& evidenceFile, const std::filesystem::path& resultsFile,
-             const std::vector<std::string>& arguments) {
-  keepFreedMemory();
-  const Evidence evidence = readEvidence(evidenceFile);
-  const Target target = targetOf(evidence);
-
+int judgeItems(const Evidence& evidence, const std::vector<ItemDeclaration>& all, Floors* floors,
+               const std::filesystem::path& resultsFile,
+               const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {"ggrade"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -202,16 +200,16 @@ int runJudge(const std::filesystem::path& evidenceFile, const std::filesystem::p
   testing::InitGoogleTest(&argc, argv.data());
   if (argc > 1) throw UsageError(fmt::format("\"{}\" is not an argument of GoogleTest", argv[1]));
 
-  const std::vector<ItemDeclaration> all = target.items();
   std::vector<ItemDeclaration> items;
   for (const ItemDeclaration& item : all)
     if (evidence.again.empty() || isAmong(evidence.again, item.id)) items.push_back(item);
   std::map<std::string, json> results;
   for (const ItemDeclaration& item : items) {
     const std::size_t dot = item.id.find('.');
-    testing::RegisterTest(
-        item.id.substr(0, dot).c_str(), item.id.substr(dot + 1).c_str(), nullptr, nullptr, __FILE__,
-        __LINE__, [&, item]() -> ItemTest* { return new ItemTest(item, all, evidence, results); });
+    testing::RegisterTest(item.id.substr(0, dot).c_str(), item.id.substr(dot + 1).c_str(), nullptr,
+                          nullptr, __FILE__, __LINE__, [&, item]() -> ItemTest* {
+                            return new ItemTest(item, all, evidence, floors, results);
+                          });
   }
   testing::UnitTest::GetInstance()->listeners().Append(new Writer(resultsFile, results));
   [[maybe_unused]] const int lostPoints = RUN_ALL_TESTS();

@@ -111,28 +111,24 @@ bool SceneEvidence::has(const std::string& tag) const {
 }
 
 void writeEvidence(const fs::path& file, const fs::path& assignmentFolder,
-                   const std::string& target, const std::vector<SceneFolders>& scenes,
-                   const std::vector<std::string>& again) {
+                   const std::string& target, const std::vector<SceneFolders>& scenes) {
   json list = json::array();
   for (const SceneFolders& scene : scenes) {
     json probes = json::object();
-    for (const auto& [name, folder] : scene.probes) probes[name] = folder.string();
+    for (const auto& [name, folder] : scene.probeFolders) probes[name] = folder.string();
     list.push_back({{"name", scene.name},
                     {"public", scene.isPublic},
                     {"tags", scene.tags},
                     {"scene", scene.scene},
                     {"like", scene.like},
-                    {"frames", scene.frameCount},
+                    {"frames", scene.times.size()},
                     {"student", scene.student.string()},
                     {"reference", scene.reference.string()},
                     {"stub", scene.stub.string()},
                     {"probes", probes}});
   }
-  const std::string text = json{
-      {"assignment", assignmentFolder.string()},
-      {"target", target},
-      {"again", again},
-      {"scenes", list}}.dump(1);
+  const std::string text =
+      json{{"assignment", assignmentFolder.string()}, {"target", target}, {"scenes", list}}.dump(1);
   write(file, text.data(), text.size());
 }
 
@@ -153,8 +149,6 @@ Evidence readEvidence(const fs::path& file) {
   for (const json& scene : scenes)
     loading.push_back(std::async(std::launch::async, [&scene] { return readScene(scene); }));
   for (auto& scene : loading) evidence.scenes.push_back(scene.get());
-  evidence.again = from.at("again").get<std::vector<std::string>>();
-  if (!evidence.again.empty()) keepFirstFrames(evidence);
   return evidence;
 }
 

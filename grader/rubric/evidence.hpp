@@ -60,21 +60,29 @@ struct Evidence {
   std::vector<std::string> again{};
 };
 
-/// Where the frames of one scene stand.
-struct SceneFolders {
-  std::string name;
+/// One scene to render, fully drawn: no random choice is left in it.
+struct SceneCase {
+  std::string name; ///< in the language that was chosen
   bool isPublic = false;
-  std::vector<std::string> tags;
-  nlohmann::json scene;
-  std::size_t frameCount = 0;
+  std::vector<std::string> tags; ///< what it can show; rubric items choose scenes by tag
+  std::vector<double> times;     ///< seconds, one a frame
+  nlohmann::json scene;          ///< a whole scene file
+  std::string like;              ///< the scene that this one is a change of; empty: of none
+  /// Scenes that only the reference is rendered in, to learn where things are (masks) and what a
+  /// feature changes: the scene with a patch merged over it. A probe with tags belongs to the
+  /// scenes that share one.
+  std::map<std::string, nlohmann::json> probes;
+  std::string english = {}; ///< the name as scenes.json has it; empty: `name`
+};
+
+/// And where what was rendered in it stands.
+struct SceneFolders : SceneCase {
   std::filesystem::path student, reference, stub;
-  std::map<std::string, std::filesystem::path> probes;
-  std::string like; ///< name of the scene that this one is a change of; empty: of none
+  std::map<std::string, std::filesystem::path> probeFolders;
 };
 
 void writeEvidence(const std::filesystem::path& file, const std::filesystem::path& assignmentFolder,
-                   const std::string& target, const std::vector<SceneFolders>& scenes,
-                   const std::vector<std::string>& again = {});
+                   const std::string& target, const std::vector<SceneFolders>& scenes);
 /// Scenes without a student's folder have no student's frames.
 Evidence readEvidence(const std::filesystem::path& file);
 /// What is judged; from then on its solution's words are known, in the language that was chosen.

@@ -103,18 +103,19 @@ nlohmann::json lineOf(const ItemDeclaration& item, const Decision& decision);
 /// The judge of an item. Throws UsageError if no rubric has it.
 const Judge& judgeOf(const std::string& item);
 
-/// Runs every item of `evidence`'s target as a GoogleTest test named `part.item`, and appends one
-/// JSON object a line to `results` after each. `arguments` are GoogleTest's. Returns the exit code:
-/// 0 all items were judged, whatever the points; 1 an item has no judge or threw.
-int runJudge(const std::filesystem::path& evidence, const std::filesystem::path& results,
-             const std::vector<std::string>& arguments);
+/// Judges the evidence by those of `items` that it wants judged, each a GoogleTest test named
+/// `part.item`, once a process, and appends one JSON object a line to `results` after each.
+/// `arguments` are GoogleTest's. Returns the exit code: 0 all items were judged, whatever the
+/// points; 1 an item has no judge or threw.
+int judgeItems(const Evidence& evidence, const std::vector<ItemDeclaration>& items, Floors* floors,
+               const std::filesystem::path& results, const std::vector<std::string>& arguments);
 
-/// Judges many submissions in the same scenes, so that what only the reference decides is worked
-/// out once. `evidence` names no student's folders; every line on stdin is a request
-/// `{"students": [folder, ...], "results": file, "done": file}`. Each is answered by a process of
-/// its own, which appends to `results` like runJudge and then makes `done`: empty, or what went
-/// wrong. Ends with stdin.
-int serveJudge(const std::filesystem::path& evidence);
+/// Judges submissions in the same scenes. `evidence` names no student's folders; every line on
+/// stdin is a request `{"students": [folder, ...], "arguments": [...], "again": [item, ...],
+/// "results": file, "done": file}`. Each is answered by judgeItems in a process of its own; `done`
+/// is then made: empty, or what went wrong. `many`: what only the reference decides is worked out
+/// before the first. Ends with stdin.
+int serveJudge(const std::filesystem::path& evidence, bool many);
 
 } // namespace ggrade::rubric
 

@@ -4,11 +4,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +22,8 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::size_t kLogBytes = 2000; ///< of what a judging wrote, where it went wrong
+
 /// Everything that is the same for all submissions.
 struct Common {
   Evidence evidence;
@@ -26,74 +31,82 @@ struct Common {
   Floors floors;
 };
 
-/// Judges one submission; runs in a process of its own.
-void answer(Common& common, const json& request) {
+/// A process of its own, which doesn't outlive this one.
+pid_t forkBound() {
+  const pid_t parent = getpid(), pid = fork();
+  if (pid != 0) return pid;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  return 0;
+}
+
+/// Judges one submission.
+int answer(Common& common, const json& request) {
   const json& folders = request.at("students");
   for (std::size_t i = 0; i < common.evidence.scenes.size(); ++i)
     if (folders.at(i) != "")
       readStudent(common.evidence.scenes[i], folders.at(i).get<std::string>());
   common.evidence.again = request.at("again").get<std::vector<std::string>>();
+  // What the stub has of one frame is another matter than what it has of all.
   const bool again = !common.evidence.again.empty();
   if (again) keepFirstFrames(common.evidence);
-  std::ofstream out(request.at("results").get<std::string>(), std::ios::app);
-  for (const ItemDeclaration& item : common.items) {
-    if (again && std::find(common.evidence.again.begin(), common.evidence.again.end(), item.id) ==
-                     common.evidence.again.end())
-      continue;
-    // What the stub has of one frame is another matter than what it has of all.
-    const Decision decision =
-        decide(item, judgeOf(item.id), common.evidence, again ? nullptr : &common.floors);
-    json line = lineOf(item, decision);
-    line["outputs"] = outputsOf(item, common.items, decision, common.evidence);
-    out << line.dump() << std::endl;
-  }
+  return judgeItems(common.evidence, common.items, again ? nullptr : &common.floors,
+                    request.at("results").get<std::string>(),
+                    request.at("arguments").get<std::vector<std::string>>());
 }
 
 /// What became of the process that answers; "" if all is well.
-std::string waitFor(pid_t pid) {
+std::string waitFor(pid_t pid, const fs::path& log) {
   int status = 0;
   while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFSIGNALED(status)) return fmt::format("the judge died of signal {}", WTERMSIG(status));
-  return WEXITSTATUS(status) == 0
-             ? std::string()
-             : fmt::format("the judge ended with code {}", WEXITSTATUS(status));
+  if (WEXITSTATUS(status) == 0) return {};
+  std::string text = readFile(log);
+  if (text.size() > kLogBytes) text = "..." + text.substr(text.size() - kLogBytes);
+  return fmt::format("the judge ended with code {}:\n{}", WEXITSTATUS(status), text);
 }
 
 [[noreturn]] void handle(Common& common, const std::string& line) {
   const json request = json::parse(line);
   const fs::path done = request.at("done").get<std::string>();
-  const fs::path problem = done.string() + ".problem";
-  std::ofstream(problem).flush();
-  const pid_t pid = fork();
+  const fs::path log = done.string() + ".log", problem = done.string() + ".problem";
+  const pid_t pid = forkBound();
   if (pid == 0) {
-    try {
-      answer(common, request);
-      _exit(0);
-    } catch (const std::exception& error) {
-      std::ofstream(problem) << error.what();
-      _exit(1);
+    const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+    if (file >= 0) {
+      dup2(file, 1);
+      dup2(file, 2);
     }
+    int code = 1;
+    try {
+      code = answer(common, request);
+    } catch (const std::exception& error) {
+      std::cerr << error.what() << std::endl;
+    }
+    std::cout.flush();
+    std::fflush(stdout);
+    _exit(code);
   }
-  if (const std::string end = waitFor(pid); !end.empty())
-    std::ofstream(problem, std::ios::app) << (fs::file_size(problem) ? ": " : "") << end;
+  std::ofstream(problem) << waitFor(pid, log) << std::flush;
   fs::rename(problem, done);
   _exit(0);
 }
 
 } // namespace
 
-int serveJudge(const fs::path& evidenceFile) {
+int serveJudge(const fs::path& evidenceFile, bool many) {
   keepFreedMemory();
   Common common;
   common.evidence = readEvidence(evidenceFile);
   common.items = targetOf(common.evidence).items();
-  for (const ItemDeclaration& item : common.items)
-    warm(item, judgeOf(item.id), common.evidence, common.floors);
+  if (many)
+    for (const ItemDeclaration& item : common.items)
+      warm(item, judgeOf(item.id), common.evidence, common.floors);
   for (std::string line; std::getline(std::cin, line);) {
     while (waitpid(-1, nullptr, WNOHANG) > 0) {
     }
-    if (fork() == 0) handle(common, line);
+    if (forkBound() == 0) handle(common, line);
   }
   while (wait(nullptr) > 0) {
   }

@@ -1,6 +1,5 @@
 #include "tradeoff/measure.hpp"
 
-#include "grading/overlay.hpp"
 #include "report/picture.hpp"
 #include "report/write_file.hpp"
 
@@ -46,12 +45,10 @@ void requireTruths(const Plan& plan, const fs::path& solutionFolder) {
 
 Bench::Bench(const Assignment& assignment, const fs::path& solutionFolder, Effort effort,
              grading::Progress progress)
-    : id_(assignment.id), effort_(effort), progress_(std::move(progress)) {
-  program_ = work_.makeVisible("program");
-  shaders_ = work_.makeVisible("shaders");
+    : program_(assignment, {solutionFolder}, sandbox::Isolation::none), effort_(effort),
+      progress_(std::move(progress)), shaders_(work_.makeVisible("shaders")) {
   progress_("building the reference", 0, 1);
-  grading::overlay(assignment, solutionFolder, program_);
-  const auto built = grading::buildProgram(id_, program_, sandbox::Isolation::none);
+  const grading::Happened& built = program_.build();
   if (!built.ok())
     throw UsageError(fmt::format("{} doesn't build: {}\n{}", solutionFolder.string(), built.detail,
                                  built.output));
@@ -59,10 +56,7 @@ Bench::Bench(const Assignment& assignment, const fs::path& solutionFolder, Effor
 
 grading::Rendering Bench::run(const json& scene, const std::vector<double>& times,
                               const trace::Request& request) {
-  const auto render = [&] {
-    return grading::renderScene(id_, program_, scene, times, {shaders_}, sandbox::Isolation::none,
-                                request);
-  };
+  const auto render = [&] { return program_.render(scene, times, {shaders_}, request); };
   grading::Rendering rendering = render();
   // The reference doesn't hang: the machine was busy for a while.
   if (rendering.happened.outcome == report::Outcome::timeout) rendering = render();
@@ -162,7 +156,8 @@ std::vector<GrowthRow> Bench::growth(const Plan& plan) {
   for (const Series& series : plan.growth)
     for (const Step& step : series.steps)
       if (step.sphere > 0) spheres.insert(step.sphere);
-  for (int rings : spheres) report::writeFile(program_ / sphereFile(rings), sphereObj(rings));
+  for (int rings : spheres)
+    report::writeFile(program_.folder() / sphereFile(rings), sphereObj(rings));
   std::vector<GrowthRow> rows;
   for (const Series& series : plan.growth) {
     for (const PartScenes& part : plan.parts) {

@@ -3,9 +3,7 @@
 /// Runs the reference in every setting: how long a part takes, and how far its picture is from the
 /// truth. One program at a time, so that runs don't disturb each other.
 
-#include "grading/program.hpp"
 #include "grading/references.hpp"
-#include "grading/workspace.hpp"
 #include "tradeoff/analysis.hpp"
 #include "tradeoff/plan.hpp"
 
@@ -83,11 +81,11 @@ private:
                          const trace::Request& request);
   truth::Answer judge(const Sweep& sweep, const json& scene);
 
-  std::string id_;
+  grading::Program program_;
   Effort effort_;
   grading::Progress progress_;
   grading::TemporaryFolder work_;
-  std::filesystem::path program_, shaders_;
+  std::filesystem::path shaders_;
   std::vector<std::pair<std::string, std::string>> machine_;
 };
 

@@ -35,6 +35,20 @@ protected:
     EXPECT_FALSE(fs::exists(out_));
     EXPECT_THAT(names(folder_.path()), Not(Contains(testing::StartsWith(".ggrade-"))));
   }
+  /// Graded as in a class: nothing was built, and the result says why. No usage error.
+  void expectNothingBuilt(const fs::path& upload, const Matcher<std::string>& reason) {
+    const Ended ended = runTool(gradeInto(upload));
+    EXPECT_EQ(ended.exitCode, 0) << ended.errors;
+    EXPECT_THAT(ended.out, HasSubstr("build_failed"));
+    EXPECT_THAT(ended.errors, Not(HasSubstr("terminate called")));
+    const auto results = nlohmann::json::parse(read(out_ / "results.json"));
+    EXPECT_EQ(results.at("score"), 0);
+    EXPECT_EQ(results.at("extra_data").at("outcome"), "build_failed");
+    EXPECT_EQ(results.at("extra_data").at("submission"), upload.filename().string());
+    EXPECT_THAT(results.at("extra_data").at("detail").get<std::string>(), reason);
+    EXPECT_THAT(names(folder_.path()), Not(Contains(testing::StartsWith(".ggrade-"))));
+    fs::remove_all(out_);
+  }
   Arguments gradeInto(const fs::path& folder) { return {"grade", "mirror", folder, "--out", out_}; }
 
   TemporaryFolder folder_;
@@ -48,14 +62,23 @@ TEST_F(BadInput, MissingFolder) {
 }
 
 TEST_F(BadInput, AFileInPlaceOfAFolder) {
-  expectRefusal(gradeInto(folder_.write("ada.txt", "hello")),
-                HasSubstr("ada.txt: the upload holds none of floor.cpp, mirror.hpp, "));
+  expectNothingBuilt(folder_.write("ada.txt", "hello"),
+                     HasSubstr("the upload holds none of floor.cpp, mirror.hpp, "));
+}
+
+TEST_F(BadInput, AnArchiveThatIsCutOff) {
+  const Submission solution = Submission::solution();
+  const fs::path archive = folder_.path() / "ada.tar.gz";
+  ASSERT_EQ(
+      Running({"/usr/bin/tar", "-czf", archive, "-C", solution.path(), "."}).wait(20).exitCode, 0);
+  fs::resize_file(archive, fs::file_size(archive) / 2);
+  expectNothingBuilt(archive, HasSubstr("ada.tar.gz"));
 }
 
 TEST_F(BadInput, EmptyFolder) {
   fs::create_directory(folder_.path() / "ada");
-  expectRefusal(gradeInto(folder_.path() / "ada"),
-                HasSubstr("ada: the upload holds none of floor.cpp, mirror.hpp, "));
+  expectNothingBuilt(folder_.path() / "ada",
+                     HasSubstr("the upload holds none of floor.cpp, mirror.hpp, "));
   expectRefusal({"render", folder_.path() / "ada", "--out", out_},
                 AllOf(HasSubstr("ID.cpp"), HasSubstr("ggrade list")));
 }
@@ -63,7 +86,7 @@ TEST_F(BadInput, EmptyFolder) {
 TEST_F(BadInput, FolderWithOtherFilesOnly) {
   folder_.write("ada/main.cpp", "int main() {}\n");
   folder_.write("ada/floor/other.cpp", "int main() {}\n");
-  expectRefusal(gradeInto(folder_.path() / "ada"), HasSubstr("the upload holds none of floor.cpp"));
+  expectNothingBuilt(folder_.path() / "ada", HasSubstr("the upload holds none of floor.cpp"));
 }
 
 TEST_F(BadInput, AnArchiveWithAFolderInItIsNone) {

@@ -2,6 +2,6 @@
 
 #include "rubric/rubric.hpp"
 
-int judgeInstead(const char* evidence) {
-  return ggrade::rubric::serveJudge(evidence);
+int judgeInstead(const char* evidence, bool many) {
+  return ggrade::rubric::serveJudge(evidence, many);
 }

@@ -4,7 +4,7 @@
 #include "calibration/look.hpp"
 #include "calibration/subject.hpp"
 #include "calibration/verdicts.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 #include "report/results_json.hpp"
 
 #include <gmock/gmock.h>
@@ -151,7 +151,7 @@ void writePatch(const std::string& folder, const std::string& name, const fs::pa
     const fs::path solutions = kSource / "solutions" / assignment.id;
     const fs::path patch = solutions / folder / (name + ".patch");
     if (fs::exists(patch))
-      return ggrade::grading::writePatched(assignment, solutions, {patch}, into);
+      return ggrade::grading::writeFiles(assignment, {solutions, {patch}}, into);
   }
   throw std::runtime_error("there is no patch " + name + " in " + folder);
 }
@@ -253,7 +253,6 @@ std::string Graded::text() const {
 
 namespace grading = ggrade::grading;
 namespace calibration = ggrade::calibration;
-using ggrade::rubric::SceneFolders;
 
 namespace {
 
@@ -286,42 +285,32 @@ Grader::Grader(const std::string& id, const grading::Draw& draw)
     : target_(ggrade::findTarget(kSource / "assignments", id)),
       solutions_(kSource / "solutions" / target_.assignment.id),
       plan_(grading::drawScenes(target_, solutions_, draw)),
-      references_(grading::prepareReferences(target_, solutions_, plan_, quietly)),
-      judge_(target_, references_.scenes),
-      pictures_(std::make_shared<grading::ReferencePictures>()),
-      diagnosing_(grading::diagnosing(target_, solutions_, quietly)) {}
+      references_(grading::prepareReferences(target_, solutions_, plan_, quietly)) {}
 
-grading::GradeOptions Grader::options(const How& how) const {
-  grading::GradeOptions options;
-  options.solution = how.solution;
-  options.pictures = options.twice = how.pictures;
-  options.referencePictures = pictures_;
-  if (how.diagnosis) options.examining = diagnosing_;
-  return options;
+grading::Grader& Grader::grader(const How& how) {
+  std::unique_ptr<grading::Grader>& kept = how.pictures ? withPictures_ : plain_;
+  if (!kept) {
+    grading::GraderOptions options;
+    options.pictures = options.twice = how.pictures;
+    options.many = true;
+    kept = std::make_unique<grading::Grader>(target_, solutions_, plan_, std::move(options),
+                                             references_);
+  }
+  return *kept;
 }
 
-grading::Built Grader::build(const fs::path& folder, const How& how) const {
-  grading::GradeOptions all = options(how);
-  all.upload = folder;
-  return grading::buildSubmission(target_, all);
+grading::Built Grader::build(const fs::path& folder, const How& how) {
+  return grader(how).build(
+      std::make_shared<grading::Program>(target_.assignment, grading::Recipe{folder}),
+      how.solution);
 }
 
 Graded Grader::grade(const grading::Built& built, const How& how, std::size_t scenes) {
-  grading::GradeOptions all = options(how);
-  all.judging = [this](const auto& folders, const fs::path& work, std::string& problem,
-                       const std::vector<std::string>& again) {
-    return judge(folders, work, problem, again);
-  };
+  grading::Graded whole = grader(how).draw(built, scenes);
+  grader(how).judge(whole);
+  if (how.diagnosis) grader(how).diagnose(whole);
   Graded graded;
-  if (scenes >= plan_.scenes.size()) { // what looks for a diagnosis keeps them
-    graded.result = grading::gradeBuilt(target_, plan_, references_, built, all);
-  } else {
-    grading::ScenePlan plan = plan_;
-    grading::References references = references_;
-    plan.scenes.resize(scenes);
-    references.scenes.resize(scenes);
-    graded.result = grading::gradeBuilt(target_, plan, references, built, all);
-  }
+  graded.result = std::move(whole.result);
   graded.results = nlohmann::json::parse(
       ggrade::report::resultsJson(graded.result, ggrade::report::Reveal::names));
   graded.result.scenes.clear();       // large, and in the JSON as far as tests look at it
@@ -338,19 +327,6 @@ const Graded& Grader::grade(const fs::path& folder, const How& how, std::size_t 
   const auto known = graded_.find(key);
   if (known != graded_.end()) return known->second;
   return graded_.emplace(key, grade(build(folder, how), how, scenes)).first->second;
-}
-
-std::vector<ggrade::report::Item> Grader::judge(std::vector<SceneFolders> scenes,
-                                                const fs::path& work, std::string& problem,
-                                                const std::vector<std::string>& again) {
-  // The judge knows all scenes of the plan.
-  std::vector<std::string> names;
-  for (const SceneFolders& scene : scenes) names.push_back(scene.name);
-  const auto& all = references_.scenes;
-  scenes.insert(scenes.end(), all.begin() + std::ptrdiff_t(scenes.size()), all.end());
-  std::vector<ggrade::report::Item> items = judge_.judge(scenes, work, problem, again);
-  if (names.size() < all.size()) calibration::keepScenes(items, names);
-  return items;
 }
 
 Graded gradePart(const std::string& part, const fs::path& folder, const How& how) {
@@ -422,9 +398,7 @@ Graded gradeCatalogued(const Catalogued& one, bool allScenes) {
       --count;
   const TemporaryFolder files;
   const fs::path upload = files.path() / one.program.name;
-  grading::writePatched(grader.target().assignment,
-                        kSource / "solutions" / grader.target().assignment.id, one.program.patches,
-                        upload);
+  grading::writeFiles(grader.target().assignment, one.program.recipe, upload);
   const Graded graded = grader.grade(upload, {}, count);
   const auto verdicts =
       calibration::judge(one.part, grader.target().items(),

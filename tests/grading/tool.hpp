@@ -6,7 +6,6 @@
 
 #include "calibration/programs.hpp"
 #include "grading/grade.hpp"
-#include "grading/judge_server.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -138,7 +137,7 @@ public:
   const ggrade::Target& target() const { return target_; }
   const ggrade::grading::ScenePlan& plan() const { return plan_; }
   const ggrade::grading::References& references() const { return references_; }
-  ggrade::grading::Built build(const fs::path& folder, const How& how = {}) const;
+  ggrade::grading::Built build(const fs::path& folder, const How& how = {});
   /// Builds and grades, once for the same files.
   const Graded& grade(const fs::path& folder, const How& how = {},
                       std::size_t scenes = std::size_t(-1));
@@ -147,19 +146,14 @@ public:
                std::size_t scenes = std::size_t(-1));
 
 private:
-  ggrade::grading::GradeOptions options(const How& how) const;
-  std::vector<ggrade::report::Item> judge(std::vector<ggrade::rubric::SceneFolders> scenes,
-                                          const fs::path& work, std::string& problem,
-                                          const std::vector<std::string>& again);
+  ggrade::grading::Grader& grader(const How& how);
 
   ggrade::Target target_;
   fs::path solutions_;
   ggrade::grading::ScenePlan plan_;
   ggrade::grading::References references_;
-  ggrade::grading::JudgeServer judge_;
-  std::shared_ptr<ggrade::grading::ReferencePictures> pictures_;
-  ggrade::grading::Examining diagnosing_; ///< keeps what it has learnt of the reference
-  std::map<std::string, Graded> graded_;  ///< by files and how
+  std::unique_ptr<ggrade::grading::Grader> plain_, withPictures_;
+  std::map<std::string, Graded> graded_; ///< by files and how
 };
 
 /// Grades for part `mirror`, in this process.

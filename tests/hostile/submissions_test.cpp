@@ -21,7 +21,7 @@
 // may hold ": succeeded".
 #include "../grading/tool.hpp"
 
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 #include "report/text.hpp"
 
 #include <gmock/gmock.h>
@@ -185,8 +185,8 @@ bool handIn(const std::string& name, const json& attack, const fs::path& upload,
   const bool stub = attack.value("base", "") == "stub";
   const fs::path base = kSource / (stub ? "assignments" : "solutions") / "floor";
   const fs::path patch = folder / "attack.patch";
-  ggrade::grading::writePatched(
-      assignment, base, fs::exists(patch) ? std::vector{patch} : std::vector<fs::path>{}, upload);
+  ggrade::grading::writeFiles(
+      assignment, {base, fs::exists(patch) ? std::vector{patch} : std::vector<fs::path>{}}, upload);
   if (fs::exists(folder / "upload"))
     fs::copy(folder / "upload", upload,
              fs::copy_options::overwrite_existing | fs::copy_options::recursive);

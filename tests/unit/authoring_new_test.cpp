@@ -7,7 +7,7 @@
 #include "framework_temporary_folder.hpp"
 #include "framework_throws.hpp"
 #include "grading/catalogue.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 #include "grading/scenes.hpp"
 
 #include <gmock/gmock.h>
@@ -159,8 +159,8 @@ TEST_F(Template, HasACatalogueThatApplies) {
   ASSERT_EQ(catalogue.mistakes.size(), 1u);
   ASSERT_EQ(catalogue.variants.size(), 1u);
   for (const fs::path& patch : {catalogue.mistakes[0].patch, catalogue.variants[0].patch})
-    EXPECT_NO_THROW(grading::writePatched(assignment_, solution_, {patch},
-                                          files_.path() / "made" / patch.stem()));
+    EXPECT_NO_THROW(grading::writeFiles(assignment_, {solution_, {patch}},
+                                        files_.path() / "made" / patch.stem()));
 }
 
 } // namespace

@@ -7,7 +7,7 @@
 #include "calibration/score_file.hpp"
 #include "calibration/tolerances.hpp"
 #include "calibration/verdicts.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 
 #include "framework_temporary_folder.hpp"
 #include "framework_throws.hpp"
@@ -365,7 +365,7 @@ TEST_F(Adopting, AVariantGivesBackTheSubmissionAndNamesNobody) {
   const auto catalogue =
       grading::loadCatalogue(target_.assignment, target_.parts[0], solution_, solution_);
   ASSERT_EQ(catalogue.variants.size(), 2u);
-  grading::writePatched(target_.assignment, solution_, {patch}, files_.path() / "again");
+  grading::writeFiles(target_.assignment, {solution_, {patch}}, files_.path() / "again");
   for (const char* name : {"tile.frag", "mine.glsl", "floor.cpp"})
     EXPECT_EQ(readFile(files_.path() / "again" / name),
               readFile(files_.path() / "ada_lovelace" / name));

@@ -7,6 +7,7 @@
 #include "calibration/tolerances.hpp"
 #include "calibration/trade.hpp"
 #include "calibration/whole_image.hpp"
+#include "grading/judge.hpp"
 
 #include "framework_temporary_folder.hpp"
 #include "framework_throws.hpp"
@@ -131,7 +132,7 @@ TEST(Look, ScenesThatAreNotLookedAtCostNothing) {
   keep.messages = {"all"};
   unjudged.points = 10;
   std::vector<report::Item> items = {gain, keep, unjudged};
-  keepScenes(items, {"public", "a"});
+  grading::keepScenes(items, {"public", "a"});
   EXPECT_EQ(items[0].earned, 5.1);
   EXPECT_EQ(items[0].message, "a: much");
   EXPECT_EQ(items[0].credits.size(), 2u);

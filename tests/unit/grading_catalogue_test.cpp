@@ -2,7 +2,7 @@
 
 #include "grading/catalogue.hpp"
 #include "grading/overlay.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 
 #include "framework_temporary_folder.hpp"
 #include "framework_throws.hpp"
@@ -180,7 +180,7 @@ TEST_F(CatalogueTest, TwoPatchesAreAppliedInARowAndMayAddAFile) {
       "new file mode 100644\n--- /dev/null\n+++ b/solutions/floor/mine.glsl\n"
       "@@ -0,0 +1 @@\n+// new\n" +
           header + "@@ -2,2 +2,3 @@\n " + second + "\n+// two\n " + third + "\n");
-  grading::writePatched(assignment, kFloorSolution, {one, two}, files_.path() / "both");
+  grading::writeFiles(assignment, {kFloorSolution, {one, two}}, files_.path() / "both");
   EXPECT_EQ(readFile(files_.path() / "both/screen.vert"),
             first + "\n// one\n" + second + "\n// two\n" +
                 screen.substr(first.size() + second.size() + 2));

@@ -2,7 +2,7 @@
 // and in its pairs. What they are worth is for `ggrade calibrate` to say.
 
 #include "grading/catalogue.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 
 #include "framework_temporary_folder.hpp"
 
@@ -33,7 +33,7 @@ protected:
   void expectToApply(const std::vector<fs::path>& patches) {
     const TemporaryFolder into;
     EXPECT_NO_THROW(
-        grading::writePatched(target_.assignment, solution_, patches, into.path() / "submission"));
+        grading::writeFiles(target_.assignment, {solution_, patches}, into.path() / "submission"));
   }
 };
 

@@ -1,7 +1,7 @@
 // Overlay, patches, folders that appear whole, work on several threads.
 
 #include "grading/overlay.hpp"
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 #include "grading/references.hpp"
 #include "grading/workspace.hpp"
 
@@ -123,8 +123,8 @@ TEST_F(Patch, ThatNoLongerAppliesIsNamed) {
             "--- a/solutions/floor/floor.cpp\n+++ b/solutions/floor/floor.cpp\n"
             "@@ -1,2 +1,2 @@\n-not its first line\n+another\n \n");
   EXPECT_THAT(messageOf<UsageError>([&] {
-                grading::writePatched(assignment, GGRADE_SOURCE_DIR "/solutions/floor", {patch},
-                                      files_.path() / "into");
+                grading::writeFiles(assignment, {GGRADE_SOURCE_DIR "/solutions/floor", {patch}},
+                                    files_.path() / "into");
               }),
               AllOf(HasSubstr("a.patch no longer applies to"), HasSubstr("solutions/floor")));
 }
@@ -135,7 +135,7 @@ TEST_F(Patch, EveryExampleApplies) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(solutions / "examples")) {
     const fs::path into = files_.path() / entry.path().stem();
-    grading::writePatched(assignment, solutions, {entry.path()}, into);
+    grading::writeFiles(assignment, {solutions, {entry.path()}}, into);
     bool changed = false;
     for (const std::string& file : assignment.files)
       changed |= readFile(into / file) != readFile(solutions / file);

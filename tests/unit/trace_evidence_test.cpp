@@ -32,11 +32,11 @@ protected:
     SceneFolders scene;
     scene.name = "public";
     scene.tags = {"lecture"};
-    scene.frameCount = 1;
+    scene.times = {0};
     scene.student = folder_.path() / "student";
     scene.reference = folder_.path() / "reference";
     scene.stub = folder_.path() / "stub";
-    scene.probes["plain"] = folder_.path() / "stub";
+    scene.probeFolders["plain"] = folder_.path() / "stub";
     writeEvidence(folder_.path() / "evidence.json", "/assignments/floor", "mirror", {scene});
     return readEvidence(folder_.path() / "evidence.json");
   }

@@ -4,7 +4,7 @@
 
 #include "trace/trace.hpp"
 
-namespace ggrade::cli {
+namespace ggrade::authoring {
 
 /// Writes a picture of every copy as `folder`/frame-F/pass-PP-ATTACHMENT.png, of one after a step
 /// as pass-PP-step-S-ATTACHMENT.png: P is the pass's index in trace.json, S the step's in its pass.
@@ -14,4 +14,4 @@ namespace ggrade::cli {
 std::vector<trace::CopyFiles> writePassFiles(const trace::Trace& trace,
                                              const std::filesystem::path& folder, bool raw);
 
-} // namespace ggrade::cli
+} // namespace ggrade::authoring

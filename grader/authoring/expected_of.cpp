@@ -1,8 +1,8 @@
-#include "cli/expected_of.hpp"
+#include "authoring/expected_of.hpp"
 
+#include "authoring/derive.hpp"
+#include "authoring/pass_files.hpp"
 #include "check/expected.hpp"
-#include "cli/derive.hpp"
-#include "cli/pass_files.hpp"
 #include "diagnosis/state.hpp"
 #include "grading/catalogue.hpp"
 #include "grading/signatures.hpp"
@@ -13,12 +13,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <functional>
 #include <map>
 #include <optional>
 #include <span>
 
-namespace ggrade::cli {
+namespace ggrade::authoring {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -81,7 +82,7 @@ bool showsTheSameWindows(const diagnosis::Run& a, const diagnosis::Run& b) {
 
 /// Views of programs in scenes with these numbers.
 using Showing = std::function<std::vector<diagnosis::Signature>(
-    const std::vector<grading::Faulty>& programs, const std::vector<std::size_t>& scenes)>;
+    const std::vector<grading::Candidate>& candidates, const std::vector<std::size_t>& scenes)>;
 
 /// Where programs come from.
 struct Source {
@@ -90,15 +91,15 @@ struct Source {
 };
 
 /// All that a program's own files say; empty where it can't be made.
-std::string textOf(const Source& source, const grading::Faulty& faulty) {
+std::string textOf(const Assignment& assignment, const grading::Recipe& recipe) {
   const grading::TemporaryFolder folder;
   try {
-    grading::writeFaulty(source.assignment, source.solutions, faulty, folder.path());
+    grading::writeFiles(assignment, recipe, folder.path());
   } catch (const UsageError&) {
     return {};
   }
   std::string text;
-  for (const std::string& file : source.assignment.files)
+  for (const std::string& file : assignment.files)
     text += file + '\n' + readFile(folder.path() / file);
   return text;
 }
@@ -108,10 +109,15 @@ std::string textOf(const Source& source, const grading::Faulty& faulty) {
 std::vector<const grading::Mistake*> thereAlready(const Source& source,
                                                   const std::vector<const grading::Mistake*>& all,
                                                   const std::set<std::string>& filled) {
-  const std::string right = textOf(source, {"", "", {}, filled});
+  std::vector<std::string> texts(all.size());
+  grading::inParallel(all.size(), grading::workers(), [&](std::size_t i) {
+    texts[i] = textOf(source.assignment, {source.solutions, {all[i]->patch}, filled});
+  });
+  const std::string right = textOf(source.assignment, {source.solutions, {}, filled});
   std::map<std::string, const grading::Mistake*> smallest; // by text
-  for (const grading::Mistake* mistake : all) {
-    const std::string text = textOf(source, {mistake->name, "", {mistake->patch}, filled});
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const grading::Mistake* mistake = all[i];
+    const std::string& text = texts[i];
     if (text.empty() || text == right) continue;
     const auto [known, fresh] = smallest.emplace(text, mistake);
     if (!fresh && fs::file_size(mistake->patch) < fs::file_size(known->second->patch))
@@ -147,7 +153,7 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
     }
     if (!finished) mistakes = thereAlready(source, mistakes, filled[k]);
     std::vector<check::Fault> made;
-    std::vector<grading::Faulty> programs;
+    std::vector<grading::Candidate> candidates;
     for (const grading::Mistake* mistake : mistakes) {
       const std::string group = mistake->same.empty() ? mistake->name : mistake->same;
       made.push_back({mistake->title,
@@ -155,18 +161,19 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
                       mistake->step,
                       k,
                       {mistake->name, group, diagnosis::Run(expected.scenes.size())}});
-      programs.push_back({mistake->name,
-                          group,
-                          {mistake->patch},
-                          finished ? std::nullopt : std::optional(filled[k])});
+      candidates.push_back({mistake->name,
+                            group,
+                            {source.solutions,
+                             {mistake->patch},
+                             finished ? std::nullopt : std::optional(filled[k])}});
     }
     std::set<std::string> visible;
     for (std::size_t i = 0; i < expected.scenes.size(); ++i) {
-      std::vector<grading::Faulty> here;
+      std::vector<grading::Candidate> here;
       std::vector<check::Fault*> theirs;
       for (std::size_t m = 0; m < made.size(); ++m)
         if (check::isShownIn(expected.scenes[i], made[m].todo)) {
-          here.push_back(programs[m]);
+          here.push_back(candidates[m]);
           theirs.push_back(&made[m]);
         }
       std::vector<diagnosis::Signature> signatures = showing(here, {i});
@@ -199,10 +206,45 @@ void writeWords(const check::Expected& expected, const fs::path& solutions, cons
   report::writeFile(check::wordsFile(into), told.dump(1));
 }
 
+/// What people see of each step, in every scene in which it is looked at, and what samplers read
+/// then.
+void writePictures(const Assignment& assignment, const fs::path& solutions,
+                   const std::vector<std::set<std::string>>& filled,
+                   const grading::ShaderCache& shaders, check::Expected& expected,
+                   const fs::path& into, const grading::Progress& progress) {
+  report::makeFolder(check::stepPicture(into, 0, 0).parent_path());
+  expected.samplers.resize(filled.size());
+  std::atomic<std::size_t> done{0};
+  grading::inParallel(filled.size(), grading::workers(), [&](std::size_t k) {
+    progress("pictures of the steps", done++, filled.size());
+    const std::string name = fmt::format("{} after {} TODOs", expected.part, k);
+    grading::Program program(assignment, {solutions, {}, filled[k]});
+    if (const grading::Happened& built = program.build(); !built.ok())
+      throw UsageError(fmt::format("{} doesn't build:\n{}", name, built.output));
+    for (std::size_t i = 0; i < expected.scenes.size(); ++i) {
+      if (!check::isDrawnAfter(expected, i, k)) continue;
+      const check::Scene& scene = expected.scenes[i];
+      const grading::Rendering rendering =
+          program.render(scene.scene, {scene.times.front()}, shaders,
+                         i == 0 ? grading::gradingRequest() : trace::Request{});
+      if (rendering.happened.outcome != report::Outcome::graded)
+        throw UsageError(fmt::format("{} doesn't render: {}\n{}", name, rendering.happened.detail,
+                                     rendering.happened.output));
+      writePng(check::stepPicture(into, k, i),
+               rubric::toImage(grading::rawFrames(rendering.capture).at(0)));
+      if (i > 0) continue;
+      expected.samplers[k] = diagnosis::samplersWithTexture(rendering.capture.trace);
+      if (k + 1 == filled.size())
+        writePassFiles(rendering.capture.trace, check::referenceFolder(into), true);
+    }
+  });
+}
+
 } // namespace
 
 void writeExpected(const Assignment& assignment, const Part& part, const fs::path& solutions,
-                   const std::set<std::string>& blank, const fs::path& into, Progress& progress) {
+                   const std::set<std::string>& blank, const fs::path& into,
+                   const grading::Progress& progress) {
   check::Expected expected;
   expected.assignment = assignment.id;
   expected.part = part.id;
@@ -230,28 +272,28 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   const grading::References references = grading::prepareReferences(target, solutions, plan, tell);
   for (const rubric::SceneFolders& scene : references.scenes)
     expected.reference.push_back(grading::viewsIn(scene.reference));
-  const Showing showing = [&](const std::vector<grading::Faulty>& programs,
+  const Showing showing = [&](const std::vector<grading::Candidate>& candidates,
                               const std::vector<std::size_t>& scenes) {
     return grading::renderSignatures(
-        target, solutions, programs, plan, scenes, references,
+        target, solutions, candidates, scenes, references,
         [&](std::size_t scene) -> const diagnosis::SceneViews& {
           return expected.reference[scene];
         },
         tell);
   };
 
-  std::vector<grading::Faulty> steps;
+  std::vector<grading::Candidate> steps;
   for (std::size_t k = 0; k < filled.size(); ++k)
-    steps.push_back({fmt::format("step.{}", k), "", {}, filled[k]});
+    steps.push_back({fmt::format("step.{}", k), "", {solutions, {}, filled[k]}});
   for (diagnosis::Signature& step : showing(steps, numbers))
     expected.steps.push_back(std::move(step.run));
 
   const grading::Catalogue catalogue =
       grading::loadCatalogue(assignment, part, solutions, solutions);
-  std::vector<grading::Faulty> variants;
+  std::vector<grading::Candidate> variants;
   for (const grading::Variant& variant : catalogue.variants)
     if (variant.loses.empty())
-      variants.push_back({variant.name, variant.name, {variant.patch}, std::nullopt});
+      variants.push_back({variant.name, variant.name, {solutions, {variant.patch}}});
   for (diagnosis::Signature& variant : showing(variants, numbers))
     if (!showsTheSameWindows(variant.run, expected.reference))
       expected.others.push_back(std::move(variant.run));
@@ -260,21 +302,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   for (const std::string& todo : blank) handedOut.erase(todo);
   report::makeFolder(check::stubFolder(into));
   writeSources(assignment, solutions, handedOut, check::stubFolder(into));
-  report::makeFolder(check::stepPicture(into, 0, 0).parent_path());
-  for (std::size_t k = 0; k < filled.size(); ++k) {
-    tell("pictures of the steps", k, filled.size());
-    const Program program(assignment, solutions, filled[k],
-                          fmt::format("{} after {} TODOs", part.id, k));
-    for (std::size_t i = 0; i < expected.scenes.size(); ++i) {
-      if (!check::isDrawnAfter(expected, i, k)) continue;
-      const check::Scene& scene = expected.scenes[i];
-      const channel::Capture capture = program.draw(scene.scene, {scene.times.front()});
-      writePng(check::stepPicture(into, k, i), window(capture));
-      if (i > 0) continue;
-      expected.samplers.push_back(diagnosis::samplersWithTexture(capture.trace));
-      if (k + 1 == filled.size()) writePassFiles(capture.trace, check::referenceFolder(into), true);
-    }
-  }
+  writePictures(assignment, solutions, filled, references.ownShaders, expected, into, tell);
   check::save(expected, into);
   writeWords(expected, solutions, into);
 }
@@ -299,7 +327,7 @@ std::string madeOf(const Target& target, const fs::path& solutions) {
 } // namespace
 
 void updateExpected(const Target& target, const fs::path& solutions, const fs::path& into,
-                    Progress& progress) {
+                    const grading::Progress& progress) {
   report::makeFolder(into);
   for (const Part& part : target.parts) {
     const Target one{target.assignment, {part}, part.id};
@@ -316,4 +344,4 @@ void updateExpected(const Target& target, const fs::path& solutions, const fs::p
   }
 }
 
-} // namespace ggrade::cli
+} // namespace ggrade::authoring

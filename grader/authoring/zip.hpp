@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace ggrade::cli {
+namespace ggrade::authoring {
 
 /// Packs all files under `folder`, sorted, with their permissions and no times or owners: the same
 /// files make the same archive. `top`: the folder that they unpack into; empty: none. Written whole
@@ -13,4 +13,4 @@ namespace ggrade::cli {
 void writeZip(const std::filesystem::path& folder, const std::string& top,
               const std::filesystem::path& file);
 
-} // namespace ggrade::cli
+} // namespace ggrade::authoring

@@ -1,4 +1,4 @@
-#include "cli/zip.hpp"
+#include "authoring/zip.hpp"
 
 #include "assignment/assignment.hpp"
 
@@ -10,7 +10,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace ggrade::cli {
+namespace ggrade::authoring {
 
 namespace fs = std::filesystem;
 
@@ -46,4 +46,4 @@ void writeZip(const fs::path& folder, const std::string& top, const fs::path& fi
   fs::rename(partial, file);
 }
 
-} // namespace ggrade::cli
+} // namespace ggrade::authoring

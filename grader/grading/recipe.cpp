@@ -1,11 +1,13 @@
-#include "grading/patched.hpp"
+#include "grading/recipe.hpp"
 
+#include "authoring/solution_blocks.hpp"
 #include "grading/overlay.hpp"
 #include "grading/workspace.hpp"
 #include "sandbox/sandbox.hpp"
 
 #include <fmt/format.h>
 
+#include <fstream>
 #include <sstream>
 
 namespace ggrade::grading {
@@ -79,13 +81,19 @@ void applyPatch(const fs::path& patch, const fs::path& solutionFolder, const fs:
 
 } // namespace
 
-void writePatched(const Assignment& assignment, const fs::path& solutionFolder,
-                  const std::vector<fs::path>& patches, const fs::path& into) {
+void writeFiles(const Assignment& assignment, const Recipe& recipe, const fs::path& into) {
   fs::create_directories(into);
   // Everything at the top: the files that a patch may add go there, too.
-  for (const std::string& file : ownFiles(assignment, solutionFolder))
-    fs::copy_file(solutionFolder / file, into / file);
-  for (const fs::path& patch : patches) applyPatch(patch, solutionFolder, into);
+  for (const std::string& file : ownFiles(assignment, recipe.folder))
+    fs::copy_file(recipe.folder / file, into / file);
+  for (const fs::path& patch : recipe.patches) applyPatch(patch, recipe.folder, into);
+  if (!recipe.filled) return;
+  for (const std::string& file : assignment.files) {
+    const std::string text =
+        authoring::withFilled(readFile(into / file), (into / file).string(), *recipe.filled);
+    if (!(std::ofstream(into / file, std::ios::binary) << text).flush())
+      throw UsageError(fmt::format("can't write {}: is the disk full?", (into / file).string()));
+  }
 }
 
 } // namespace ggrade::grading

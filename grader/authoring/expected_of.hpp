@@ -2,12 +2,11 @@
 /// \file
 /// What `ggrade check` holds a program against, made from the solution.
 
-#include "cli/terminal.hpp"
-#include "grading/scenes.hpp"
+#include "grading/references.hpp"
 
 #include <set>
 
-namespace ggrade::cli {
+namespace ggrade::authoring {
 
 /// Writes to `into`, a folder of this part's own, what check::Expected needs: the part's TODOs out
 /// of `blank` are to be done, all others are done already. The public scenes come first, then those
@@ -16,11 +15,11 @@ namespace ggrade::cli {
 /// UsageError where a program fails.
 void writeExpected(const Assignment& assignment, const Part& part,
                    const std::filesystem::path& solutions, const std::set<std::string>& blank,
-                   const std::filesystem::path& into, Progress& progress);
+                   const std::filesystem::path& into, const grading::Progress& progress);
 
 /// Makes `into`/PART anew for each part of the target, all TODOs to be done, unless what is there
 /// was made by this tool from these files.
 void updateExpected(const Target& target, const std::filesystem::path& solutions,
-                    const std::filesystem::path& into, Progress& progress);
+                    const std::filesystem::path& into, const grading::Progress& progress);
 
-} // namespace ggrade::cli
+} // namespace ggrade::authoring

@@ -1,4 +1,4 @@
-#include "cli/pass_files.hpp"
+#include "authoring/pass_files.hpp"
 
 #include "image/png.hpp"
 #include "report/write_file.hpp"
@@ -8,7 +8,7 @@
 
 #include <bit>
 
-namespace ggrade::cli {
+namespace ggrade::authoring {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::vector<trace::CopyFiles> writePassFiles(const trace::Trace& trace,
   return all;
 }
 
-} // namespace ggrade::cli
+} // namespace ggrade::authoring
