@@ -48,13 +48,13 @@ std::vector<Example> examples(const Assignment& assignment, const fs::path& solu
 }
 
 /// What the page and the list say of an example.
-struct Shown {
+struct Ended {
   report::Summary summary;
   nlohmann::json line;
   std::string surprise; ///< empty: it ended as it must
 };
 
-Shown gradeExample(grading::Grader& grader, const Assignment& assignment, const Example& example,
+Ended gradeExample(grading::Grader& grader, const Assignment& assignment, const Example& example,
                    const fs::path& out) {
   grading::Graded graded = grader.draw(grader.build(
       std::make_shared<grading::Program>(assignment, example.recipe), example.solution));
@@ -63,7 +63,7 @@ Shown gradeExample(grading::Grader& grader, const Assignment& assignment, const 
   report::Result& result = graded.result;
   result.submission = example.name;
   report::writeReports(out / example.name, result);
-  Shown shown{report::summarize(result, example.name + "/index.html"),
+  Ended ended{report::summarize(result, example.name + "/index.html"),
               {{"submission", result.submission},
                {"outcome", report::name(result.outcome)},
                {"score", result.score},
@@ -71,19 +71,19 @@ Shown gradeExample(grading::Grader& grader, const Assignment& assignment, const 
                {"bonus", result.bonus}},
               ""};
   if (report::name(result.outcome) != example.outcome)
-    shown.surprise = fmt::format("{}: {} instead of {}: {}\n", example.name,
+    ended.surprise = fmt::format("{}: {} instead of {}: {}\n", example.name,
                                  report::name(result.outcome), example.outcome, result.detail);
-  return shown;
+  return ended;
 }
 
 /// Those of one target have one grader; as many are graded at a time as there are cores.
 void gradeExamples(const Assignment& assignment, const fs::path& solutions,
-                   const std::vector<Example>& all, const fs::path& out, std::vector<Shown>& shown,
+                   const std::vector<Example>& all, const fs::path& out, std::vector<Ended>& ended,
                    const grading::Progress& progress) {
   std::map<std::string, std::vector<std::size_t>> byTarget;
   for (std::size_t i = 0; i < all.size(); ++i) byTarget[all[i].target].push_back(i);
-  const std::size_t before = shown.size();
-  shown.resize(before + all.size());
+  const std::size_t before = ended.size();
+  ended.resize(before + all.size());
   std::atomic<std::size_t> done{before};
   for (const auto& [id, examples] : byTarget) {
     const Target target = findTarget(assignmentsFolder(), id);
@@ -92,14 +92,18 @@ void gradeExamples(const Assignment& assignment, const fs::path& solutions,
     how.threads = 1;
     grading::Draw draw;
     draw.quality = grading::Quality::fast; // it is seen as well, and sooner
-    grading::Grader grader(target, solutions, grading::drawScenes(target, solutions, draw), how);
-    progress("references of " + id, done, shown.size());
+    const grading::ScenePlan plan = grading::drawScenes(target, solutions, draw);
+    progress("references of " + id, done, ended.size());
+    grading::References references = grading::prepareReferences(
+        target, solutions, plan, [](const std::string&, std::size_t, std::size_t) {});
+    references.shaders = references.ownShaders; // as for all programs of ours: half of a run's time
+    grading::Grader grader(target, solutions, plan, how, references);
     grader.prepare();
     grading::inParallel(examples.size(), grading::workers(), [&](std::size_t n) {
       if (grading::interrupted) throw grading::Interrupted{};
       const std::size_t i = examples[n];
-      progress(all[i].name, done++, shown.size());
-      shown[before + i] = gradeExample(grader, assignment, all[i], out);
+      progress(all[i].name, done++, ended.size());
+      ended[before + i] = gradeExample(grader, assignment, all[i], out);
     });
   }
 }
@@ -109,16 +113,16 @@ void demo(const std::string& outText, bool asJson) {
   requireSandbox();
   Progress progress("demo");
   grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
-  std::vector<Shown> shown;
+  std::vector<Ended> ended;
   for (const Assignment& assignment : loadAssignments(assignmentsFolder())) {
     const fs::path solutions = solutionFolder(assignment.id);
-    gradeExamples(assignment, solutions, examples(assignment, solutions), work.path(), shown,
+    gradeExamples(assignment, solutions, examples(assignment, solutions), work.path(), ended,
                   std::ref(progress));
   }
   nlohmann::json list = nlohmann::json::array();
   std::vector<report::Summary> pages;
   std::string surprises;
-  for (Shown& one : shown) {
+  for (Ended& one : ended) {
     pages.push_back(std::move(one.summary));
     list.push_back(std::move(one.line));
     surprises += one.surprise;

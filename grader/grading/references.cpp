@@ -148,8 +148,8 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   std::atomic<std::size_t> done{1};
   inParallel(jobs.size(), workers(), [&](std::size_t i) {
     const Job& job = jobs[i];
-    const Rendering rendering =
-        job.own->program.render(*job.scene, *job.times, all.ownShaders, job.trace);
+    const Rendering rendering = job.own->program.render(
+        *job.scene, *job.times, job.own == &stub ? all.shaders : all.ownShaders, job.trace);
     requireGood(rendering.happened, job.own->what);
     TemporaryFolder work(job.folder.parent_path());
     if (job.trace.passes) trace::save(rendering.capture.trace, work.path());

@@ -63,7 +63,8 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
     inParallel(missing.size(), workers(), [&](std::size_t m) {
       const Candidate& candidate = candidates[missing[m]];
       TemporaryFolder work(cacheFolder() / "signatures");
-      ShaderCache shaders{references.shaders.folder, work.makeVisible("shaders")};
+      // Its words reach no student, and it shares most shaders with the reference.
+      ShaderCache shaders{references.ownShaders.folder, work.makeVisible("shaders")};
       std::optional<Program> program;
       try {
         program.emplace(assignment, candidate.recipe);
