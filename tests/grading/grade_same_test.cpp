@@ -72,12 +72,13 @@ TEST(Quality, DecidesHowManyScenesAreDrawn) {
   for (const auto& [quality, scenes] :
        {std::pair(Quality::fast, balanced - 2), std::pair(Quality::thorough, 2 * balanced - 1)}) {
     const std::string name = nameOf(quality);
-    const Graded graded = grade(submission, {.pictures = true, .draw = {.quality = quality}});
+    const Graded graded = grade(submission, {.pictures = true, .draw = {std::nullopt, quality}});
     EXPECT_EQ(graded.results.at("extra_data").at("quality"), name);
     EXPECT_EQ(scenesOf(graded), scenes) << name;
     EXPECT_GT(graded.score(), 0) << name;
     EXPECT_LT(graded.score(), 80) << name;
-    EXPECT_EQ(grade(Submission::solution(), {.draw = {.quality = quality}}).score(), 100) << name;
+    EXPECT_EQ(grade(Submission::solution(), {.draw = {std::nullopt, quality}}).score(), 100)
+        << name;
   }
 }
 
