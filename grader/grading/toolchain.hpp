@@ -1,7 +1,7 @@
 #pragma once
 /// \file
-/// Where this build's parts are. Only toolchain.cpp, which CMake makes, holds the values: everything
-/// else is compiled to the same in every copy of this tree.
+/// Where this build's parts are. Only toolchain.cpp, which CMake makes, holds the values:
+/// everything else is compiled to the same in every copy of this tree.
 
 namespace ggrade::toolchain {
 
