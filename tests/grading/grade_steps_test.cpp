@@ -119,7 +119,7 @@ TEST_P(Step, IsGradedAndEarnsAndShowsWhatTheHandoutSays) {
     if (k == required) {
       EXPECT_EQ(score, points);
     }
-    expectPictures(k, built.program);
+    expectPictures(k, built.program->folder());
   }
   EXPECT_EQ(bonus, pointsOf(part(), ggrade::report::ItemKind::bonus));
 }
