@@ -3,21 +3,22 @@ add_library(grading_tool STATIC tool.cpp handout.cpp)
 target_link_libraries(grading_tool PUBLIC ggrade_calibration ggrade_grading ggrade_authoring ggrade_png GTest::gmock)
 target_compile_definitions(grading_tool PUBLIC GGRADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   GGRADE_BUILD_DIR="${CMAKE_BINARY_DIR}")
-# grading_test_program(NAME SOURCES source... [options of ggrade_test]) makes a program that grades: by itself, so that it
-# is the judge, too (judge.cpp), or by the real tool. Those that draw many signatures keep all processors busy; beside
-# them the same signatures would be drawn twice.
+# grading_test_program(NAME SOURCES source... [options of ggrade_test]) makes a program that grades, by the library or by
+# the real tool. Those that draw many signatures keep all processors busy; beside them the same signatures would be drawn
+# twice.
 function(grading_test_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
   list(TRANSFORM ARG_SOURCES PREPEND ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/)
   ggrade_test(${name} grading ${ARG_UNPARSED_ARGUMENTS}
-    SOURCES ${ARG_SOURCES} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/judge.cpp $<TARGET_OBJECTS:ggrade_rubrics>
-    LIBRARIES grading_tool)
+    SOURCES ${ARG_SOURCES} LIBRARIES grading_tool)
   add_dependencies(${name} ggrade_tool)
 endfunction()
 grading_test_program(grading_test TIMEOUT 300 COST 120 SOURCES
   grade_bloom_test.cpp grade_carry_test.cpp grade_catalogue_test.cpp grade_deferred_test.cpp grade_faults_test.cpp
   grade_same_test.cpp grade_scores_test.cpp grade_shadow_test.cpp grade_together_test.cpp grade_unsteady_test.cpp
   long_catalogue_test.cpp long_same_test.cpp)
+# The rubrics' own filters, to compose a frame from its passes.
+target_sources(grading_test PRIVATE $<TARGET_OBJECTS:ggrade_rubrics>)
 grading_test_program(steps_grading_test TIMEOUT 400 COST 80 SOURCES grade_steps_test.cpp long_derive_test.cpp)
 # What is drawn for one diagnosis is there for the next one.
 grading_test_program(diagnosis_grading_test TIMEOUT 1800 PROCESSORS 2 COST 200 SOURCES
