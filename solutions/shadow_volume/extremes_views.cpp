@@ -73,7 +73,7 @@ protected:
 };
 
 constexpr unsigned kBatches = 10, kOften = 3; // the first few, however little time there is
-constexpr int kViews = 20, kInVolume = 5; // of a batch
+constexpr int kViews = 20, kInVolume = 5;     // of a batch
 INSTANTIATE_TEST_SUITE_P(ShadowVolume, Anywhere, testing::Range(0u, kOften));
 INSTANTIATE_TEST_SUITE_P(LongShadowVolume, Anywhere, testing::Range(kOften, kBatches));
 
