@@ -26,8 +26,8 @@ Todo readTodo(const json& from) {
           from.value("beyond_lecture", false)};
 }
 
-report::ItemKind readKind(const std::string& kind) {
-  if (const auto known = report::parseItemKind(kind)) return *known;
+results::ItemKind readKind(const std::string& kind) {
+  if (const auto known = results::parseItemKind(kind)) return *known;
   throw UsageError(fmt::format("kind must be gain, keep or bonus, but is \"{}\"", kind));
 }
 
@@ -88,7 +88,7 @@ void requireChains(const Assignment& assignment) {
     const auto refuse = [&](const std::string& why) {
       throw UsageError(fmt::format("{}: after \"{}\": {}", item->id, item->after, why));
     };
-    if (item->kind != report::ItemKind::gain) refuse("only an item of kind gain comes after one");
+    if (item->kind != results::ItemKind::gain) refuse("only an item of kind gain comes after one");
     const auto before = known.find(item->after);
     if (before == known.end()) refuse("there is no such item");
     if (before->second.first != part)
@@ -174,7 +174,7 @@ Assignment Assignment::load(const fs::path& folder) {
 double Target::maxScore() const {
   double sum = 0;
   for (const ItemDeclaration& item : items())
-    if (item.kind == report::ItemKind::gain) sum += item.points;
+    if (item.kind == results::ItemKind::gain) sum += item.points;
   return sum;
 }
 

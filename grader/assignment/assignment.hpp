@@ -4,7 +4,7 @@
 /// points.
 
 #include "assignment/usage_error.hpp"
-#include "report/results.hpp"
+#include "results/results.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -27,7 +27,7 @@ struct ItemDeclaration {
   std::string id; ///< "mirror.shading"
   std::string title;
   std::string looksAt;
-  report::ItemKind kind = report::ItemKind::gain;
+  results::ItemKind kind = results::ItemKind::gain;
   double points = 0;
   std::string cause; ///< what a failure most likely means
   std::string step;  ///< the TODO whose step in the handout helps, "mirror.5"

@@ -65,7 +65,7 @@ void draw(const Assignment& assignment, const fs::path& solutions, const Picture
   const grading::Rendering rendering =
       program.render(picture.scene, times, {},
                      picture.pass.is_null() ? trace::Request{} : grading::gradingRequest());
-  if (rendering.happened.outcome != report::Outcome::graded)
+  if (rendering.happened.outcome != results::Outcome::graded)
     throw UsageError(fmt::format("{} doesn't render: {}\n{}", picture.name,
                                  rendering.happened.detail, rendering.happened.output));
   writePng(file, picture.pass.is_null()

@@ -144,8 +144,8 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
     const bool finished = k + 1 == filled.size();
     std::vector<const grading::Mistake*> mistakes;
     for (const grading::Mistake& mistake : catalogue.mistakes) {
-      const auto draws =
-          mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
+      const auto draws = mistake.outcome == results::Outcome::graded ||
+                         mistake.outcome == results::Outcome::glError;
       const auto done = std::span(expected.todos).first(k);
       if (draws && std::ranges::find(done, mistake.step) != done.end() &&
           (finished || !shown.count(mistake.name)))
@@ -227,7 +227,7 @@ void writePictures(const Assignment& assignment, const fs::path& solutions,
       const grading::Rendering rendering =
           program.render(scene.scene, {scene.times.front()}, shaders,
                          i == 0 ? grading::gradingRequest() : trace::Request{});
-      if (rendering.happened.outcome != report::Outcome::graded)
+      if (rendering.happened.outcome != results::Outcome::graded)
         throw UsageError(fmt::format("{} doesn't render: {}\n{}", name, rendering.happened.detail,
                                      rendering.happened.output));
       writePng(check::stepPicture(into, k, i),

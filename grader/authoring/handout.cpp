@@ -43,8 +43,8 @@ std::string fenced(const std::string& file, const std::string& code) {
 std::string pointsTable(const Part& part) {
   std::string table = gg::say("| points | what | step |") + "\n| ---: | --- | --- |\n";
   for (const ItemDeclaration& item : part.items) {
-    const bool keep = item.kind == report::ItemKind::keep;
-    const bool bonus = item.kind == report::ItemKind::bonus;
+    const bool keep = item.kind == results::ItemKind::keep;
+    const bool bonus = item.kind == results::ItemKind::bonus;
     table += fmt::format("| {}{} | {} | {} |\n",
                          keep    ? "−"
                          : bonus ? "+"

@@ -1,6 +1,6 @@
 #include "batch/batch.hpp"
 
-#include "batch/publish.hpp"
+#include "batch/record.hpp"
 #include "grading/grade.hpp"
 #include "grading/scenes.hpp"
 #include "grading/workspace.hpp"
@@ -125,7 +125,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
     job.key = keyOf(job.upload);
     const auto record = loadRecord(options.out / job.upload.folder);
     const bool holds = record && record->upload == job.key && record->grader == grader &&
-                       record->row.outcome != report::Outcome::notGradable &&
+                       record->row.outcome != results::Outcome::notGradable &&
                        record->run == state.run;
     otherGrader += record && record->upload == job.key && record->grader != grader;
     if (holds && !(options.regrade && !options.only.empty()))
@@ -161,8 +161,8 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   // Who reads the class page must find everybody. What can't even be written now is done by
   // --resume.
   const auto ungraded = [&](const Job& job, const std::string& problem) {
-    const report::Result result =
-        grading::ungraded(target, plan, report::Outcome::notGradable, problem);
+    const results::Result result =
+        grading::ungraded(target, plan, results::Outcome::notGradable, problem);
     try {
       publish(result, job, {options.out, options.reveal, grader, state.run});
       return problem;
@@ -170,13 +170,13 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
       return problem + "; " + error.what();
     }
   };
-  runJobs(jobs, pool, [&](std::size_t job, const Answer& answer) {
+  runJobs(jobs, pool, [&](std::size_t job, const Reply& reply) {
     const std::string& name = jobs[job].upload.name;
-    if (answer.problem.empty())
+    if (reply.problem.empty())
       ++outcome.graded;
     else
-      outcome.unfinished.push_back(name + ": " + ungraded(jobs[job], answer.problem));
-    if (step) step({outcome.graded + outcome.unfinished.size(), jobs.size(), name, answer});
+      outcome.unfinished.push_back(name + ": " + ungraded(jobs[job], reply.problem));
+    if (step) step({outcome.graded + outcome.unfinished.size(), jobs.size(), name, reply});
   });
 
   outcome.changes = changesSince(state, options.out);

@@ -30,7 +30,7 @@ struct BatchOptions {
 struct Step {
   std::size_t done, total; ///< of this run
   std::string name;
-  const Answer& answer;
+  const Reply& reply;
 };
 
 struct Outcome {

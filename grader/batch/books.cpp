@@ -15,7 +15,7 @@ namespace ggrade::batch {
 
 namespace fs = std::filesystem;
 using report::ClassRow;
-using report::Outcome;
+using results::Outcome;
 
 namespace {
 

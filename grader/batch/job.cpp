@@ -88,22 +88,22 @@ Job jobFrom(const json& line) {
   return job;
 }
 
-json toJson(const Answer& answer) {
-  return {{"problem", answer.problem},
-          {"outcome", answer.outcome},
-          {"score", answer.score},
-          {"max_score", answer.maxScore},
-          {"seconds", answer.seconds}};
+json toJson(const Reply& reply) {
+  return {{"problem", reply.problem},
+          {"outcome", reply.outcome},
+          {"score", reply.score},
+          {"max_score", reply.maxScore},
+          {"seconds", reply.seconds}};
 }
 
-Answer answerFrom(const json& line) {
-  Answer answer;
-  line.at("problem").get_to(answer.problem);
-  line.at("outcome").get_to(answer.outcome);
-  line.at("score").get_to(answer.score);
-  line.at("max_score").get_to(answer.maxScore);
-  line.at("seconds").get_to(answer.seconds);
-  return answer;
+Reply replyFrom(const json& line) {
+  Reply reply;
+  line.at("problem").get_to(reply.problem);
+  line.at("outcome").get_to(reply.outcome);
+  line.at("score").get_to(reply.score);
+  line.at("max_score").get_to(reply.maxScore);
+  line.at("seconds").get_to(reply.seconds);
+  return reply;
 }
 
 std::string keyOf(const intake::Upload& upload) {

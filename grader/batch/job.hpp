@@ -19,15 +19,15 @@ nlohmann::json toJson(const Job& job);
 Job jobFrom(const nlohmann::json& line);
 
 /// How a job ended.
-struct Answer {
+struct Reply {
   std::string problem; ///< our fault: nothing was written; empty: the result stands
   std::string outcome;
   double score = 0, maxScore = 0, seconds = 0;
 };
 
-nlohmann::json toJson(const Answer& answer);
+nlohmann::json toJson(const Reply& reply);
 /// Throws nlohmann::json::exception.
-Answer answerFrom(const nlohmann::json& line);
+Reply replyFrom(const nlohmann::json& line);
 
 /// A hash of everything that an upload holds, read as far as an upload is ever read.
 std::string keyOf(const intake::Upload& upload);

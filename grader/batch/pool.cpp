@@ -79,7 +79,7 @@ Process start(const PoolOptions& options) {
 
 class Pool {
 public:
-  Pool(const std::vector<Job>& jobs, const PoolOptions& options, const Answered& answered)
+  Pool(const std::vector<Job>& jobs, const PoolOptions& options, const Replied& answered)
       : jobs_(jobs), options_(options), answered_(answered), attempts_(jobs.size()) {
     for (std::size_t i = 0; i < jobs.size(); ++i) waiting_.push_back(i);
   }
@@ -99,7 +99,7 @@ public:
   }
 
 private:
-  /// Jobs that have no last answer.
+  /// Jobs that have no last reply.
   std::size_t open() const {
     return waiting_.size() + std::size_t(std::ranges::count_if(processes_, [](const Process& one) {
              return one.job.has_value();
@@ -138,27 +138,27 @@ private:
       process.received.append(block, std::size_t(count));
       const std::size_t end = process.received.find('\n');
       if (end == std::string::npos) continue;
-      // One answer a job, and the next job comes after it: there is never more than a line.
+      // One reply a job, and the next job comes after it: there is never more than a line.
       const std::string line = process.received.substr(0, end);
       process.received.clear();
       if (!std::exchange(process.isReady, true)) continue;
       try {
-        finish(process, answerFrom(json::parse(line)));
+        finish(process, replyFrom(json::parse(line)));
       } catch (const json::exception&) {
         bury(i, "a worker gave an answer that makes no sense");
       }
     }
   }
 
-  void finish(Process& process, const Answer& answer) {
+  void finish(Process& process, const Reply& reply) {
     if (!process.job) return;
     const std::size_t job = *process.job;
     process.job.reset();
-    const bool ours = !answer.problem.empty() || answer.outcome == "not_gradable";
+    const bool ours = !reply.problem.empty() || reply.outcome == "not_gradable";
     if (ours && ++attempts_[job] < kAttempts)
       waiting_.push_front(job);
     else
-      answered_(job, answer);
+      answered_(job, reply);
   }
 
   void endTheStuck() {
@@ -183,9 +183,9 @@ private:
                 ? fmt::format("the grader's own process died of signal {}", WTERMSIG(status))
                 : fmt::format("the grader's own process ended with code {}", WEXITSTATUS(status));
     if (!process.isReady) throw std::runtime_error(why + " before it could grade anything");
-    Answer answer;
-    answer.problem = why;
-    finish(process, answer);
+    Reply reply;
+    reply.problem = why;
+    finish(process, reply);
   }
 
   /// No worker is left: asked first, so that each can stop what it runs.
@@ -206,7 +206,7 @@ private:
 
   const std::vector<Job>& jobs_;
   const PoolOptions& options_;
-  const Answered& answered_;
+  const Replied& answered_;
   std::vector<int> attempts_; ///< that failed, by job
   std::deque<std::size_t> waiting_;
   std::vector<Process> processes_;
@@ -214,7 +214,7 @@ private:
 
 } // namespace
 
-void runJobs(const std::vector<Job>& jobs, const PoolOptions& options, const Answered& answered) {
+void runJobs(const std::vector<Job>& jobs, const PoolOptions& options, const Replied& answered) {
   Pool(jobs, options, answered).run();
 }
 

@@ -19,14 +19,14 @@ struct PoolOptions {
   double seconds = 900;
 };
 
-/// Called with the number of a job and its last answer. A `problem` there says that two attempts
+/// Called with the number of a job and its last reply. A `problem` there says that two attempts
 /// failed and nothing was written.
-using Answered = std::function<void(std::size_t job, const Answer& answer)>;
+using Replied = std::function<void(std::size_t job, const Reply& reply)>;
 
 /// Hands every job to the next idle worker. A job that fails by our own fault (the worker died or
 /// was stuck, the disk is full, `not_gradable`) is tried once more, with a new worker if its own is
 /// gone. Throws std::runtime_error where workers can't be started, and Interrupted; no worker is
 /// left then.
-void runJobs(const std::vector<Job>& jobs, const PoolOptions& options, const Answered& answered);
+void runJobs(const std::vector<Job>& jobs, const PoolOptions& options, const Replied& answered);
 
 } // namespace ggrade::batch

@@ -1,7 +1,9 @@
 #include "batch/record.hpp"
 
 #include "assignment/assignment.hpp"
+#include "grading/workspace.hpp"
 #include "image/png.hpp"
+#include "report/reports.hpp"
 #include "report/summary.hpp"
 #include "report/text.hpp"
 #include "report/write_file.hpp"
@@ -25,16 +27,16 @@ constexpr char kThumbnail[] = "thumbnail.png";
 constexpr std::size_t kFeedbackBytes = 4000;
 
 /// What a student can act on, without pages at hand.
-std::string feedbackOf(const report::Result& result, report::Reveal reveal) {
-  const report::Result view = report::studentView(result, reveal, false);
+std::string feedbackOf(const results::Result& result, report::Reveal reveal) {
+  const results::Result view = report::studentView(result, reveal, false);
   std::string text = report::headline(view) + "\n";
   if (!view.detail.empty()) text += report::sanitizeLine(view.detail) + "\n";
-  for (const report::Diagnosis& diagnosis : view.diagnoses) {
+  for (const results::Diagnosis& diagnosis : view.diagnoses) {
     text += report::sanitizeLine(diagnosis.text, 800) + "\n";
     if (!diagnosis.step.empty())
       text += gg::say("Read again: {}", report::sanitizeLine(diagnosis.step)) + '\n';
   }
-  for (const report::Item* item : report::worstItems(view, 100))
+  for (const results::Item* item : report::worstItems(view, 100))
     text += fmt::format("{}: {}. {}\n", report::sanitizeLine(item->title),
                         report::pointsText(*item), report::sanitizeLine(item->message));
   return report::capped(text, kFeedbackBytes);
@@ -45,14 +47,14 @@ json toJson(const ClassRow& row) {
   for (const report::ClassItem& item : row.items)
     items.push_back({{"id", item.id},
                      {"title", item.title},
-                     {"kind", report::name(item.kind)},
+                     {"kind", results::name(item.kind)},
                      {"earned", item.earned},
                      {"points", item.points},
                      {"judged", item.judged}});
   for (const report::ClassDiagnosis& diagnosis : row.diagnoses)
     diagnoses.push_back({{"id", diagnosis.id}, {"text", diagnosis.text}});
   return {{"folder", row.folder},      {"student", row.student},
-          {"name", row.name},          {"outcome", report::name(row.outcome)},
+          {"name", row.name},          {"outcome", results::name(row.outcome)},
           {"headline", row.headline},  {"reason", row.reason},
           {"score", row.score},        {"bonus", row.bonus},
           {"max_score", row.maxScore}, {"items", items},
@@ -65,7 +67,7 @@ ClassRow rowFrom(const json& kept) {
   kept.at("folder").get_to(row.folder);
   kept.at("student").get_to(row.student);
   kept.at("name").get_to(row.name);
-  row.outcome = report::parseOutcome(kept.at("outcome").get<std::string>()).value();
+  row.outcome = results::parseOutcome(kept.at("outcome").get<std::string>()).value();
   kept.at("headline").get_to(row.headline);
   kept.at("reason").get_to(row.reason);
   kept.at("score").get_to(row.score);
@@ -73,7 +75,7 @@ ClassRow rowFrom(const json& kept) {
   kept.at("max_score").get_to(row.maxScore);
   for (const json& item : kept.at("items"))
     row.items.push_back({item.at("id"), item.at("title"),
-                         report::parseItemKind(item.at("kind").get<std::string>()).value(),
+                         results::parseItemKind(item.at("kind").get<std::string>()).value(),
                          item.at("earned"), item.at("points"), item.at("judged")});
   for (const json& diagnosis : kept.at("diagnoses"))
     row.diagnoses.push_back({diagnosis.at("id"), diagnosis.at("text")});
@@ -84,7 +86,7 @@ ClassRow rowFrom(const json& kept) {
 
 } // namespace
 
-Record recordOf(const report::Result& result, report::Reveal reveal) {
+Record recordOf(const results::Result& result, report::Reveal reveal) {
   const report::Summary summary = report::summarize(result);
   Record record;
   ClassRow& row = record.row;
@@ -94,10 +96,10 @@ Record recordOf(const report::Result& result, report::Reveal reveal) {
   row.score = result.score;
   row.bonus = result.bonus;
   row.maxScore = result.maxScore;
-  for (const report::Item& item : result.items)
+  for (const results::Item& item : result.items)
     row.items.push_back({item.id, report::sanitizeLine(item.title), item.kind, item.earned,
                          item.points, item.judged});
-  for (const report::Diagnosis& diagnosis : result.diagnoses)
+  for (const results::Diagnosis& diagnosis : result.diagnoses)
     row.diagnoses.push_back(
         {report::sanitizeLine(diagnosis.id), report::sanitizeLine(diagnosis.text, 800)});
   row.seconds = report::totalSeconds(result);
@@ -151,6 +153,24 @@ std::vector<Record> loadRecords(const fs::path& out) {
   for (const fs::path& folder : folders)
     if (auto record = loadRecord(folder)) records.push_back(std::move(*record));
   return records;
+}
+
+void publish(results::Result result, const Job& job, const Destination& destination) {
+  const intake::Upload& upload = job.upload;
+  result.submission = upload.name;
+  Record record = recordOf(result, destination.reveal);
+  record.row.folder = upload.folder;
+  record.row.student = upload.student;
+  record.row.name = upload.name;
+  record.row.remarks = upload.remarks;
+  record.upload = job.key;
+  record.grader = destination.grader;
+  record.run = destination.run;
+  grading::TemporaryFolder written(destination.out);
+  // A worker keeps to its own core.
+  report::writeReports(written.path(), result, destination.reveal, std::launch::deferred);
+  saveRecord(written.path(), record);
+  written.publish(destination.out / upload.folder);
 }
 
 } // namespace ggrade::batch

@@ -3,6 +3,7 @@
 /// What is kept of one graded submission beside its pages: all that the class page, the gradebooks,
 /// a later run and a merge ask for.
 
+#include "batch/job.hpp"
 #include "report/class_page.hpp"
 #include "report/reveal.hpp"
 
@@ -26,7 +27,7 @@ struct Record {
 
 /// What a record keeps of `result`; the feedback says what a student may know. The rest of the row
 /// (folder, student, name, submitted, remarks) is the caller's.
-Record recordOf(const report::Result& result, report::Reveal reveal);
+Record recordOf(const results::Result& result, report::Reveal reveal);
 
 /// Writes `record.json` and `thumbnail.png` into `folder`, which must exist.
 void saveRecord(const std::filesystem::path& folder, const Record& record);
@@ -37,5 +38,17 @@ std::optional<Record> loadRecord(const std::filesystem::path& folder);
 
 /// Every record in the folders of `out`, by folder name.
 std::vector<Record> loadRecords(const std::filesystem::path& out);
+
+/// Where a result becomes a folder.
+struct Destination {
+  std::filesystem::path out; ///< of the class
+  report::Reveal reveal = report::Reveal::names;
+  std::string grader; ///< as in Record
+  unsigned run = 1;
+};
+
+/// Writes pages and record of `job` aside and moves them to their folder in one step; what stood
+/// there is replaced. Throws with the remedy if that can't be done, and leaves nothing.
+void publish(results::Result result, const Job& job, const Destination& destination);
 
 } // namespace ggrade::batch

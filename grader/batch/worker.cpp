@@ -1,6 +1,6 @@
 #include "batch/worker.hpp"
 
-#include "batch/publish.hpp"
+#include "batch/record.hpp"
 #include "grading/grade.hpp"
 #include "image/memory.hpp"
 #include "report/text.hpp"
@@ -33,18 +33,18 @@ public:
   }
 
   /// Grades and publishes.
-  Answer grade(const Job& job) {
+  Reply grade(const Job& job) {
     const auto start = std::chrono::steady_clock::now();
-    report::Result result = grader_.gradeUpload(job.upload);
+    results::Result result = grader_.gradeUpload(job.upload);
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
     result.timings.push_back({"total", passed.count()});
-    Answer answer{{},
-                  std::string(report::name(result.outcome)),
-                  result.score + result.bonus,
-                  result.maxScore,
-                  passed.count()};
+    Reply reply{{},
+                std::string(results::name(result.outcome)),
+                result.score + result.bonus,
+                result.maxScore,
+                passed.count()};
     publish(std::move(result), job, {options_.out, options_.reveal, key_, options_.run});
-    return answer;
+    return reply;
   }
 
 private:
@@ -75,14 +75,14 @@ void work(const Target& target, const fs::path& solutionFolder, const WorkerOpti
   Worker worker(target, solutionFolder, options);
   std::cout << "ready" << std::endl;
   for (std::string line; std::getline(std::cin, line);) {
-    Answer answer;
+    Reply reply;
     try {
-      answer = worker.grade(jobFrom(json::parse(line)));
+      reply = worker.grade(jobFrom(json::parse(line)));
     } catch (const std::exception& error) {
-      answer.problem = report::sanitizeLine(error.what());
-      if (answer.problem.empty()) answer.problem = "an error without words";
+      reply.problem = report::sanitizeLine(error.what());
+      if (reply.problem.empty()) reply.problem = "an error without words";
     }
-    std::cout << toJson(answer).dump() << std::endl;
+    std::cout << toJson(reply).dump() << std::endl;
   }
 }
 

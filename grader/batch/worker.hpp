@@ -19,7 +19,7 @@ struct WorkerOptions {
 };
 
 /// Says "ready" on standard output, then takes jobs from standard input, a line of JSON each, and
-/// answers each with a line, until the input ends. What goes wrong with a job is its answer; throws
+/// answers each with a line, until the input ends. What goes wrong with a job is its reply; throws
 /// only where no job at all can be done, and Interrupted. Ends at once if the parent does.
 void work(const Target& target, const std::filesystem::path& solutionFolder,
           const WorkerOptions& options);

@@ -56,7 +56,7 @@ grading::Happened build(const Assignment& assignment, const fs::path& folder,
   grading::overlay(assignment, folder, program);
   const std::string text = compiledText(program);
   grading::Happened happened;
-  happened.outcome = report::Outcome::graded;
+  happened.outcome = results::Outcome::graded;
   if (isBuilt(program / assignment.id, note, text)) return happened;
   fs::remove(note);
   happened = grading::buildProgram(assignment.id, program, sandbox::Isolation::none);
@@ -205,7 +205,7 @@ private:
     if (first && !expected_.scenes[first->scene].another) {
       suspect.todo = likeliest(first->scene);
       suspect.isExplained = !suspect.todo.empty() || !observed_.empty() || !guess_.empty() ||
-                            checked_.happened.outcome == report::Outcome::glError;
+                            checked_.happened.outcome == results::Outcome::glError;
     } else if (first) {
       suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one alone
       checked_.cause = say(
@@ -215,7 +215,7 @@ private:
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     // A call that fails does nothing, whether that is seen already or not.
-    if (checked_.happened.outcome == report::Outcome::glError && allRight(checked_.rows))
+    if (checked_.happened.outcome == results::Outcome::glError && allRight(checked_.rows))
       for (auto row = checked_.rows.rbegin(); row != checked_.rows.rend(); ++row)
         if (row->state == State::done) {
           row->state = State::wrong;
@@ -302,7 +302,7 @@ private:
   void describe(const diagnosis::FirstWrong& first) {
     Wrong wrong;
     wrong.name = first.slot
-                     ? diagnosis::words(*first.slot)
+                     ? diagnosis::describe(*first.slot)
                      : say("the window at {} s", expected_.scenes[first.scene].times[first.frame]);
     wrong.scene = first.scene;
     wrong.share = first.share;
@@ -320,7 +320,7 @@ private:
       const Image fitted = diagnosis::resized(*ours, expected->width(), expected->height());
       const diagnosis::Pair pair{&fitted, expected, nullptr, nullptr};
       if (const auto change = diagnosis::generic({&pair, 1}))
-        change_ = diagnosis::words(*change, capitalized(wrong.name));
+        change_ = diagnosis::describe(*change, capitalized(wrong.name));
     }
     checked_.firstWrong = std::move(wrong);
   }
@@ -328,8 +328,8 @@ private:
   /// What needs no picture to be told goes before what pictures tell: how the run ended, what was
   /// observed.
   void outcome() {
-    if (allRight(checked_.rows) && checked_.happened.outcome == report::Outcome::graded) return;
-    report::Result result;
+    if (allRight(checked_.rows) && checked_.happened.outcome == results::Outcome::graded) return;
+    results::Result result;
     result.outcome = checked_.happened.outcome;
     result.detail = checked_.happened.detail;
     result.compilerOutput = compilerOutput_;
@@ -337,7 +337,7 @@ private:
       checked_.cause = observed->text;
       checked_.hint.clear();
       // A program that ended itself has said why.
-      if (result.outcome == report::Outcome::crash && !checked_.messages.empty() &&
+      if (result.outcome == results::Outcome::crash && !checked_.messages.empty() &&
           !checked_.happened.signalled)
         checked_.cause = say("The program ended itself, and said: {}", checked_.messages.front());
       for (const std::string& beside : observed->beside) checked_.hint += beside + '\n';

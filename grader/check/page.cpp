@@ -124,14 +124,14 @@ std::string differs(const Checked& checked) {
 
 /// What a person has to know of a run that showed nothing, or not all.
 std::string outcomeOf(const Checked& checked) {
-  return checked.happened.ok() && checked.happened.outcome == report::Outcome::graded
+  return checked.happened.ok() && checked.happened.outcome == results::Outcome::graded
              ? std::string()
              : checked.happened.detail;
 }
 
 json partOf(const Looked& looked) {
   const Checked& checked = looked.checked;
-  const report::Outcome outcome = checked.happened.outcome;
+  const results::Outcome outcome = checked.happened.outcome;
   json rows = json::array(), pictures = json::array(), wrong = json::array();
   for (const Row& row : checked.rows)
     rows.push_back({{"id", sanitizeLine(row.todo)},
@@ -156,7 +156,7 @@ json partOf(const Looked& looked) {
                               first->expected));
   }
   const bool hasOutput =
-      outcome == report::Outcome::buildFailed || outcome == report::Outcome::shaderError;
+      outcome == results::Outcome::buildFailed || outcome == results::Outcome::shaderError;
   return {{"title", sanitizeLine(words(looked.part->title))},
           {"headline", headline(looked)},
           {"rows", std::move(rows)},
@@ -259,7 +259,7 @@ std::string table(const std::vector<Looked>& all, bool colour) {
       out += fmt::format("{}: {}\n", words("Likely cause"), checked.cause);
     if (!checked.hint.empty()) out += checked.hint + (checked.hint.ends_with('\n') ? "" : "\n");
     for (const std::string& message : checked.messages) out += "  | " + message + '\n';
-    if (checked.happened.outcome == report::Outcome::buildFailed) out += checked.happened.output;
+    if (checked.happened.outcome == results::Outcome::buildFailed) out += checked.happened.output;
     if (const std::string step = stepToRead(looked); !step.empty())
       out += fmt::format("{}: {}\n", hasWrong(checked) ? words("Read again") : words("Next"), step);
   }
@@ -275,7 +275,7 @@ json toJson(const std::vector<Looked>& all) {
     for (const Row& row : checked.rows)
       rows.push_back({{"id", row.todo}, {"state", kNames[int(row.state)]}, {"seen", row.seen}});
     json part = {{"part", looked.part->id},
-                 {"outcome", report::name(checked.happened.outcome)},
+                 {"outcome", results::name(checked.happened.outcome)},
                  {"detail", checked.happened.detail},
                  {"todos", rows},
                  {"cause", checked.cause},

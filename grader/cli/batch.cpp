@@ -25,7 +25,7 @@ void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes&
               const batch::Outcome& outcome, const fs::path& out, bool asJson) {
   std::size_t notGradable = 0;
   for (const report::ClassRow& row : rows)
-    notGradable += row.outcome == report::Outcome::notGradable;
+    notGradable += row.outcome == results::Outcome::notGradable;
   if (notGradable || !outcome.unfinished.empty()) exitCode = kNotGradable;
   if (asJson) {
     nlohmann::json list = nlohmann::json::array(), changes = nlohmann::json::array();
@@ -33,7 +33,7 @@ void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes&
       list.push_back({{"student", row.student},
                       {"name", row.name},
                       {"folder", row.folder},
-                      {"outcome", report::name(row.outcome)},
+                      {"outcome", results::name(row.outcome)},
                       {"score", row.score + row.bonus},
                       {"final_score", row.finalScore},
                       {"max_score", row.maxScore}});

@@ -110,20 +110,20 @@ ClassProgress::ClassProgress(const std::string& title)
 
 void ClassProgress::operator()(const batch::Step& step) {
   const std::string name = report::sanitizeLine(step.name, 40);
-  const batch::Answer& answer = step.answer;
-  std::string how = answer.problem.empty() ? report::words(answer.outcome)
-                                           : "NOT GRADED: " + report::sanitizeLine(answer.problem);
-  if (answer.problem.empty() && answer.outcome != "not_gradable")
-    how += fmt::format(", {} of {}", report::number(answer.score, 1),
-                       report::number(answer.maxScore, 1));
+  const batch::Reply& reply = step.reply;
+  std::string how = reply.problem.empty() ? report::spaced(reply.outcome)
+                                           : "NOT GRADED: " + report::sanitizeLine(reply.problem);
+  if (reply.problem.empty() && reply.outcome != "not_gradable")
+    how += fmt::format(", {} of {}", report::number(reply.score, 1),
+                       report::number(reply.maxScore, 1));
   if (!terminal_) {
     fmt::print(stderr, "{}/{} {}: {} ({:.1f} s)\n", step.done, step.total, name, how,
-               answer.seconds);
+               reply.seconds);
     return;
   }
   preparing_.clear();
   if (!started_) {
-    start_ = Clock::now() - std::chrono::milliseconds(std::lround(answer.seconds * 1000));
+    start_ = Clock::now() - std::chrono::milliseconds(std::lround(reply.seconds * 1000));
     started_ = true;
   }
   const double passed = std::chrono::duration<double>(Clock::now() - start_).count();

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct CalibrateOptions {
   std::string id, out, catalogue, adopt, as, name, quality = "balanced";
   std::vector<std::string> only;
   unsigned seeds = 10, jobs = grading::workers();
@@ -42,7 +42,7 @@ std::vector<Target> partsOf(const std::string& id) {
 }
 
 /// The assignment's own seed and 1, 2, ...; or those from the one that was named.
-std::vector<std::uint64_t> seedsOf(const Options& options, const Target& target,
+std::vector<std::uint64_t> seedsOf(const CalibrateOptions& options, const Target& target,
                                    const fs::path& solutions) {
   std::vector<std::uint64_t> seeds;
   if (!options.haveFirstSeed) seeds.push_back(grading::drawScenes(target, solutions).seed);
@@ -52,19 +52,19 @@ std::vector<std::uint64_t> seedsOf(const Options& options, const Target& target,
 }
 
 /// Where mistakes/ and variants/ are.
-fs::path catalogueFolder(const Options& options, const fs::path& solutions) {
+fs::path catalogueFolder(const CalibrateOptions& options, const fs::path& solutions) {
   if (options.catalogue.empty()) return solutions;
   if (!fs::is_directory(options.catalogue))
     throw UsageError(fmt::format("--catalogue {}: there is no such folder", options.catalogue));
   return options.catalogue;
 }
 
-fs::path resultsFolder(const Options& options) {
+fs::path resultsFolder(const CalibrateOptions& options) {
   return outputFolder(options.out.empty() ? (fs::path("out/calibrate") / options.id).string()
                                           : options.out);
 }
 
-void adopt(const Options& options) {
+void adopt(const CalibrateOptions& options) {
   if (options.as.empty()) throw UsageError("--adopt needs --as variant or --as mistake");
   const std::vector<Target> targets = partsOf(options.id);
   if (targets.size() != 1)
@@ -73,7 +73,7 @@ void adopt(const Options& options) {
   const Target& target = targets[0];
   const fs::path solutions = solutionFolder(target.assignment.id);
   const bool mistake = options.as == "mistake";
-  std::vector<report::Item> items;
+  std::vector<results::Item> items;
   if (mistake) {
     requireSandbox();
     Progress progress("calibrate");
@@ -103,11 +103,11 @@ void adopt(const Options& options) {
 
 /// One seed: every program is judged with each of 18 settings. The last one, on which nobody has
 /// tuned a rubric.
-calibration::CrossValidation crossValidate(const Options& options, const Target& target,
+calibration::CrossValidation crossValidate(const CalibrateOptions& options, const Target& target,
                                            const fs::path& solutions,
-                                           std::vector<calibration::Program> programs,
+                                           std::vector<calibration::KnownAnswer> programs,
                                            std::vector<std::uint64_t> seeds) {
-  std::erase_if(programs, [](const calibration::Program& program) {
+  std::erase_if(programs, [](const calibration::KnownAnswer& program) {
     return program.kind != calibration::Kind::variant && program.kind != calibration::Kind::mistake;
   });
   seeds = {seeds.back()};
@@ -119,7 +119,7 @@ calibration::CrossValidation crossValidate(const Options& options, const Target&
 }
 
 /// Two seeds that the diagnosis was not tuned on.
-calibration::DiagnosisFigures diagnoseAll(const Options& options, const Target& target,
+calibration::DiagnosisFigures diagnoseAll(const CalibrateOptions& options, const Target& target,
                                           const fs::path& solutions,
                                           const grading::Catalogue& catalogue) {
   Progress progress("calibrating " + target.id);
@@ -154,7 +154,7 @@ std::string failuresOf(const calibration::DiagnosisFigures& figures, const std::
   return failures;
 }
 
-void calibrate(const Options& options) {
+void calibrate(const CalibrateOptions& options) {
   const std::vector<Target> targets = partsOf(options.id);
   const fs::path out = resultsFolder(options);
   requireSandbox();
@@ -220,7 +220,7 @@ void calibrate(const Options& options) {
 }
 
 /// Errors and seconds of looking less closely, and of whole-image measures.
-void trade(const Options& options) {
+void trade(const CalibrateOptions& options) {
   const std::vector<Target> targets = partsOf(options.id);
   const fs::path out = resultsFolder(options);
   requireSandbox();
@@ -265,7 +265,7 @@ void addCalibrate(CLI::App& app) {
   auto* command = app.add_subcommand(
       "calibrate", "Grades every catalogued mistake and right answer; fails where they don't "
                    "separate");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CalibrateOptions>();
   command->add_option("ID", options->id, "A part, an assignment, or all")->required();
   command->add_option("--seeds", options->seeds, "Each program is graded with so many seeds")
       ->check(CLI::Range(1, 1000))

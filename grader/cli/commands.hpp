@@ -40,6 +40,13 @@ CLI::Option* declareQuality(CLI::App& app, std::string& quality, const std::stri
 /// before any work is done, unless it can be made or replaced (see grading::requireReplaceable).
 std::filesystem::path outputFolder(const std::string& named);
 
+/// Declares one command.
+using AddCommand = void (*)(CLI::App&);
+/// A program's main: runs the command that is named and says what went wrong. Returns the exit
+/// code.
+int runCommands(int argc, char** argv, const std::vector<AddCommand>& commands);
+
+// Of `ggrade`.
 void addList(CLI::App& app);
 void addRender(CLI::App& app);
 void addInspect(CLI::App& app);
@@ -48,12 +55,14 @@ void addBatch(CLI::App& app);
 void addMerge(CLI::App& app);
 void addWorker(CLI::App& app);
 void addDemo(CLI::App& app);
+void addJudge(CLI::App& app);
+
+// Of `ggrade-author`.
 void addCalibrate(CLI::App& app);
 void addTradeoff(CLI::App& app);
 void addDerive(CLI::App& app);
 void addNew(CLI::App& app);
 void addRelease(CLI::App& app);
 void addExpect(CLI::App& app);
-void addJudge(CLI::App& app);
 
 } // namespace ggrade::cli

@@ -60,19 +60,19 @@ Ended gradeExample(grading::Grader& grader, const Assignment& assignment, const 
       std::make_shared<grading::Program>(assignment, example.recipe), example.solution));
   grader.judge(graded);
   if (!example.recipe.isFolder()) grader.diagnose(graded); // a stub's likeliest cause is known
-  report::Result& result = graded.result;
+  results::Result& result = graded.result;
   result.submission = example.name;
   report::writeReports(out / example.name, result);
   Ended ended{report::summarize(result, example.name + "/index.html"),
               {{"submission", result.submission},
-               {"outcome", report::name(result.outcome)},
+               {"outcome", results::name(result.outcome)},
                {"score", result.score},
                {"max_score", result.maxScore},
                {"bonus", result.bonus}},
               ""};
-  if (report::name(result.outcome) != example.outcome)
+  if (results::name(result.outcome) != example.outcome)
     ended.surprise = fmt::format("{}: {} instead of {}: {}\n", example.name,
-                                 report::name(result.outcome), example.outcome, result.detail);
+                                 results::name(result.outcome), example.outcome, result.detail);
   return ended;
 }
 

@@ -11,13 +11,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct DeriveOptions {
   std::string id, out;
   int done = -1;
   bool noPictures = false;
 };
 
-void derive(const Options& options) {
+void derive(const DeriveOptions& options) {
   const Target target = findTarget(assignmentsFolder(), options.id);
   const Assignment& assignment = target.assignment;
   const fs::path solutions = solutionFolder(assignment.id);
@@ -49,7 +49,7 @@ void derive(const Options& options) {
 void addDerive(CLI::App& app) {
   auto* command = app.add_subcommand(
       "derive", "Makes an assignment's stub, handout and pictures from its solution");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DeriveOptions>();
   command->add_option("ID", options->id, "Assignment, or with --done a part")->required();
   command
       ->add_option("--done", options->done,

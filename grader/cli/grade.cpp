@@ -6,6 +6,7 @@
 #include "report/results_json.hpp"
 #include "report/terminal.hpp"
 #include "report/text.hpp"
+#include "rubric/rubric.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,14 +19,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options {
+struct GradeOptions {
   std::string id, upload, out, reveal = "names", sandbox = "bwrap", quality = "balanced";
   std::uint64_t seed = 0;
   bool haveSeed = false, solution = false, noDiagnosis = false, json = false;
 };
 
 /// The table on stdout, or results.json.
-void print(const report::Result& result, const fs::path& out, bool json) {
+void print(const results::Result& result, const fs::path& out, bool json) {
   if (json) {
     std::cout << report::resultsJson(result, report::Reveal::details);
     return;
@@ -36,7 +37,7 @@ void print(const report::Result& result, const fs::path& out, bool json) {
             << fmt::format("\n{}\n", report::sanitizeLine((out / "index.html").string(), 4096));
 }
 
-void grade(const Options& options) {
+void grade(const GradeOptions& options) {
   const Target target = findTarget(assignmentsFolder(), options.id);
   const fs::path solutions = solutionFolder(target.assignment.id);
   const fs::path upload = fs::path(options.upload).lexically_normal();
@@ -62,7 +63,7 @@ void grade(const Options& options) {
   how.diagnosis = !options.noDiagnosis;
   how.progress = std::ref(progress);
   grading::Grader grader(target, solutions, grading::drawScenes(target, solutions, draw), how);
-  report::Result result;
+  results::Result result;
   if (options.solution) {
     result = grader.gradeTrusted(upload);
   } else {
@@ -74,14 +75,14 @@ void grade(const Options& options) {
   progress.clear();
   grading::publishReports(result, out, *report::parseReveal(options.reveal));
   print(result, out, options.json);
-  if (result.outcome == report::Outcome::notGradable) exitCode = kNotGradable;
+  if (result.outcome == results::Outcome::notGradable) exitCode = kNotGradable;
 }
 
 } // namespace
 
 void addGrade(CLI::App& app) {
   auto* command = app.add_subcommand("grade", "Grades one submission");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GradeOptions>();
   command->add_option("ID", options->id, "Assignment or part (see ggrade list)")->required();
   command->add_option("DIR", options->upload, "The submitted files: a folder, a zip or tar archive")
       ->required();
@@ -115,6 +116,23 @@ void addGrade(CLI::App& app) {
     options->haveSeed = seed->count() > 0;
     grade(*options);
   });
+}
+
+void addJudge(CLI::App& app) {
+  // Not listed: whoever grades starts this in a process of its own.
+  auto* command =
+      app.add_subcommand("judge", "Judges what submissions drew, as stdin names them")->group("");
+  struct Options {
+    std::string evidence;
+    bool many = false;
+  };
+  auto options = std::make_shared<Options>();
+  command->add_option("EVIDENCE", options->evidence)->required();
+  command->add_flag("--many", options->many);
+  // What a comparison allows, for who wants to know what another tolerance would do.
+  command->add_option("--tolerance", tolerances().tolerance);
+  command->add_option("--radius", tolerances().radius);
+  command->callback([options] { exitCode = rubric::serveJudge(options->evidence, options->many); });
 }
 
 } // namespace ggrade::cli

@@ -15,7 +15,7 @@ using gg::say;
 
 namespace {
 
-struct Options {
+struct InspectOptions {
   std::string id, folder, out, scene, size;
   double time = 0;
   bool solution = false, steps = false;
@@ -40,7 +40,7 @@ bool isWhole(const trace::Trace& trace) {
 /// The frame that is shown, and the same moment again: shaders are ready by then, and nothing is
 /// copied, so that its passes' times are those of drawing. Where there is no room or time for two,
 /// one.
-grading::Rendering rendered(const Options& options, Progress& progress) {
+grading::Rendering rendered(const InspectOptions& options, Progress& progress) {
   RenderTarget what;
   what.target = options.id;
   what.folder = options.folder;
@@ -51,7 +51,7 @@ grading::Rendering rendered(const Options& options, Progress& progress) {
   what.trace = requested(options.steps);
   grading::Rendering rendering = renderTarget(what, progress);
   const bool late =
-      rendering.happened.outcome == report::Outcome::timeout && !rendering.capture.frames.empty();
+      rendering.happened.outcome == results::Outcome::timeout && !rendering.capture.frames.empty();
   if (!late && isWhole(rendering.capture.trace)) return rendering;
   what.times.pop_back();
   return renderTarget(what, progress);
@@ -67,7 +67,7 @@ bool takeTimes(trace::Trace& trace) {
   return true;
 }
 
-report::InspectedFrame frameOf(const Options& options, grading::Rendering rendering) {
+report::InspectedFrame frameOf(const InspectOptions& options, grading::Rendering rendering) {
   channel::Capture& capture = rendering.capture;
   report::InspectedFrame frame;
   frame.name = options.id;
@@ -95,7 +95,7 @@ report::InspectedFrame frameOf(const Options& options, grading::Rendering render
   return frame;
 }
 
-void inspect(const Options& options) {
+void inspect(const InspectOptions& options) {
   findTarget(assignmentsFolder(), options.id); // before anything else: is there such an ID?
   checkTimes({options.time}, "--time");
   const fs::path out = options.out.empty() ? "out/inspect-" + options.id + ".html" : options.out;
@@ -128,7 +128,7 @@ void addInspect(CLI::App& app) {
   auto* command = app.add_subcommand(
       "inspect", say("Shows a frame pass by pass: a page with pictures and state"));
   sayHelp(*command);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InspectOptions>();
   command->add_option("ID", options->id, say("Assignment or part (see ggrade list)"))->required();
   command->add_option(
       "DIR", options->folder,

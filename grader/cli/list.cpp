@@ -14,7 +14,7 @@ using gg::say;
 
 namespace {
 
-double points(const Part& part, report::ItemKind kind) {
+double points(const Part& part, results::ItemKind kind) {
   double sum = 0;
   for (const ItemDeclaration& item : part.items)
     if (item.kind == kind) sum += item.points;
@@ -28,8 +28,8 @@ void list(bool asJson) {
     for (const Part& part : assignment.parts)
       parts.push_back({{"id", part.id},
                        {"title", part.title},
-                       {"points", points(part, report::ItemKind::gain)},
-                       {"bonus", points(part, report::ItemKind::bonus)},
+                       {"points", points(part, results::ItemKind::gain)},
+                       {"bonus", points(part, results::ItemKind::bonus)},
                        {"todos", part.todos.size()}});
     all.push_back({{"id", assignment.id},
                    {"title", assignment.title},

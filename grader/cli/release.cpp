@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Options : authoring::KitOptions {
+struct ReleaseOptions : authoring::KitOptions {
   std::string out;
   bool gradescope = false;
 };
@@ -31,7 +31,7 @@ std::string listOf(const std::vector<authoring::HandedOut>& all) {
   return text;
 }
 
-void release(const Options& options) {
+void release(const ReleaseOptions& options) {
   const fs::path out = outputFolder(options.out);
   fs::path zip = out;
   zip += ".zip";
@@ -62,7 +62,7 @@ void release(const Options& options) {
 void addRelease(CLI::App& app) {
   auto* command = app.add_subcommand(
       "release", "Makes what students receive: a kit without solutions that checks itself");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReleaseOptions>();
   command->add_option("--out", options->out, "The kit's folder; beside it the same as a .zip")
       ->required();
   command

@@ -25,14 +25,14 @@ using nlohmann::json;
 
 namespace {
 
-struct Options {
+struct RenderOptions {
   std::string target, out, scene, size;
   std::vector<double> times = {0};
   bool solution = false, json = false;
   bool passes = false, steps = false, passTimes = false, raw = false;
 };
 
-trace::Request requested(const Options& options) {
+trace::Request requested(const RenderOptions& options) {
   trace::Request request{};
   if (!options.passes) return request;
   request.passes = 1;
@@ -79,7 +79,7 @@ json trace(const grading::Rendering& rendering, const std::vector<trace::CopyFil
   json all = {{"version", 1},
               {"rows", "top first"},
               {"values", "as stored in the window, 8 bits a channel"},
-              {"outcome", report::name(rendering.happened.outcome)},
+              {"outcome", results::name(rendering.happened.outcome)},
               {"gl_version", capture.glVersion},
               {"gl_renderer", capture.glRenderer},
               {"context_seconds", capture.contextSeconds},
@@ -117,7 +117,7 @@ std::string lostText(const trace::Trace& trace) {
   return text;
 }
 
-void render(const Options& options) {
+void render(const RenderOptions& options) {
   const fs::path out = outputFolder(options.out);
   checkTimes(options.times, "--times");
   Progress progress("render");
@@ -147,9 +147,10 @@ void render(const Options& options) {
   if (options.json) {
     std::cout << trace.dump(2) << '\n';
   } else {
-    const report::Outcome outcome = rendering.happened.outcome;
+    const results::Outcome outcome = rendering.happened.outcome;
     fmt::print("{}{}\n",
-               outcome == report::Outcome::graded ? "" : fmt::format("{}: ", report::name(outcome)),
+               outcome == results::Outcome::graded ? ""
+                                                   : fmt::format("{}: ", results::name(outcome)),
                frames.size() == 1 ? say("1 frame in {}", out.string())
                                   : say("{} frames in {}", frames.size(), out.string()));
     if (options.passes)
@@ -161,7 +162,7 @@ void render(const Options& options) {
       if (message.kind != channel::MessageKind::capture)
         fmt::print("  {}\n", say("frame {}: {}", message.frame, message.text));
   }
-  if (rendering.happened.outcome != report::Outcome::graded) {
+  if (rendering.happened.outcome != results::Outcome::graded) {
     std::fflush(stdout);
     fmt::print(stderr, "{}\n{}", rendering.happened.detail, rendering.happened.output);
   }
@@ -174,7 +175,7 @@ void addRender(CLI::App& app) {
   auto* command =
       app.add_subcommand("render", say("Renders frames offscreen: images and trace.json"));
   sayHelp(*command);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   command->add_option(
       "TARGET", options->target,
       say("An assignment or part (its files in assignments/), or a folder of files"));

@@ -17,7 +17,7 @@ using nlohmann::json;
 
 namespace {
 
-struct Options {
+struct TradeoffOptions {
   std::string id, out, budget, error;
   std::vector<std::string> only;
   tradeoff::Effort effort;
@@ -32,7 +32,7 @@ struct Work {
 };
 
 /// What the ID names, everywhere where there is a quality.json.
-std::vector<Work> workOf(const Options& options) {
+std::vector<Work> workOf(const TradeoffOptions& options) {
   std::vector<Work> all;
   bool known = options.id == "all";
   for (Assignment& assignment : loadAssignments(assignmentsFolder())) {
@@ -108,7 +108,7 @@ void adopt(const tradeoff::PageAssignment& measured, const fs::path& folder) {
   }
 }
 
-void measure(const Options& options) {
+void measure(const TradeoffOptions& options) {
   tradeoff::Wishes wishes;
   if (options.adopt && !options.only.empty())
     throw UsageError("--adopt needs everything measured: leave out --only");
@@ -163,7 +163,7 @@ void measure(const Options& options) {
 void addTradeoff(CLI::App& app) {
   auto* command = app.add_subcommand(
       "tradeoff", "Measures time against error for every quality number of a reference");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TradeoffOptions>();
   command->add_option("ID", options->id, "An assignment, a part, or all")->required();
   command->add_option("--out", options->out, "Where the results go")->required();
   command->add_option("--budget", options->budget,

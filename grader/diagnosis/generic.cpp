@@ -197,7 +197,7 @@ std::string downOf(int dy) {
 
 } // namespace
 
-std::string words(const Generic& generic, const std::string& what) {
+std::string describe(const Generic& generic, const std::string& what) {
   switch (generic.kind) {
   case Kind::otherSize:
     return say("{} has another size than the window that the scene asks for.", what);

@@ -43,7 +43,7 @@ struct Generic {
 };
 
 /// One sentence on `what` ("The window's picture"): "The window's picture is upside down."
-std::string words(const Generic& generic, const std::string& what);
+std::string describe(const Generic& generic, const std::string& what);
 
 /// The change that explains all pairs, or nothing. Pairs that are right count as explained where
 /// the change leaves the picture as it is.

@@ -13,8 +13,8 @@
 namespace ggrade::diagnosis {
 
 using gg::say;
-using report::Diagnosis;
-using report::Outcome;
+using results::Diagnosis;
+using results::Outcome;
 
 namespace {
 
@@ -55,8 +55,8 @@ bool all(const std::vector<FrameFacts>& frames, bool (*holds)(const FrameFacts&)
 }
 
 /// A hidden run's messages are not for students.
-std::string firstMessage(const report::Result& result) {
-  for (const report::Scene& scene : result.scenes)
+std::string firstMessage(const results::Result& result) {
+  for (const results::Scene& scene : result.scenes)
     if (scene.isPublic)
       for (const std::string& message : scene.messages)
         if (!message.empty()) return trimmed(message);
@@ -86,9 +86,9 @@ std::vector<std::string> tellingWarnings(const std::string& compilerOutput, std:
   return found;
 }
 
-std::optional<Diagnosis> outcomeDiagnosis(const report::Result& result, const Facts& facts) {
+std::optional<Diagnosis> outcomeDiagnosis(const results::Result& result, const Facts& facts) {
   Diagnosis found;
-  found.id = report::name(result.outcome);
+  found.id = results::name(result.outcome);
   found.confidence = 1;
   found.beside = tellingWarnings(result.compilerOutput);
   switch (result.outcome) {

@@ -2,7 +2,7 @@
 /// \file
 /// Faults that need no picture to be told: nothing came, or nothing went where it should.
 
-#include "report/results.hpp"
+#include "results/results.hpp"
 
 #include <optional>
 #include <string>
@@ -25,7 +25,8 @@ struct Facts {
 /// The diagnosis of a result that has an outcome other than `graded`, or whose frames show nothing
 /// because nothing was drawn to the window; nothing where only pictures can tell. `result.outcome`,
 /// `.detail`, `.compilerOutput` and the scenes' messages are read.
-std::optional<report::Diagnosis> outcomeDiagnosis(const report::Result& result, const Facts& facts);
+std::optional<results::Diagnosis> outcomeDiagnosis(const results::Result& result,
+                                                   const Facts& facts);
 
 /// The compiler's warnings of kinds that explain a program which does something else than it says,
 /// a line each, at most `most`: `floor.cpp:280:5: warning: multi-line comment [-Wcomment]`.

@@ -110,7 +110,7 @@ std::string firstOf(const Slot& slot) {
 
 } // namespace
 
-std::string words(const Slot& slot) {
+std::string describe(const Slot& slot) {
   const std::string first = firstOf(slot);
   return slot.nth > 0 ? say("{}, drawn time {}", first, slot.nth + 1) : first;
 }

@@ -28,7 +28,7 @@ struct Slot {
 };
 
 /// "the depth texture that objects are drawn into", "the texture at 1/4 of the window's size".
-std::string words(const Slot& slot);
+std::string describe(const Slot& slot);
 
 /// A pass's picture, see `reduced`. Depth is stretched as `stretchedDepth` says.
 struct PassView {
@@ -67,8 +67,8 @@ Image resized(const Image& image, int width, int height);
 /// thousandths where a perspective puts everything.
 Image stretchedDepth(const Image& depth);
 
-/// Writes views in 16 bits a value, compressed. A picture of `base` (same slot or frame) that looks the same in
-/// these bits is not written again. Throws UsageError when the disk is full.
+/// Writes views in 16 bits a value, compressed. A picture of `base` (same slot or frame) that looks
+/// the same in these bits is not written again. Throws UsageError when the disk is full.
 void save(const SceneViews& views, const SceneViews* base, const std::filesystem::path& file);
 /// Reads them back. Throws UsageError for a file that is cut off.
 SceneViews load(const std::filesystem::path& file, const SceneViews* base);

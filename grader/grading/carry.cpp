@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-double creditOf(const report::Item& item) {
+double creditOf(const results::Item& item) {
   double credit = 1;
   for (const auto& [scene, one] : item.credits) credit = std::min(credit, one);
   return credit;
@@ -52,10 +52,10 @@ public:
 
   int run() {
     int runs = 0;
-    while (const report::Item* next = nextFailed()) {
+    while (const results::Item* next = nextFailed()) {
       replaced_.push_back(next->id);
       std::set<std::size_t> scenes;
-      for (const report::PassOutputs& outputs : next->outputs)
+      for (const results::PassOutputs& outputs : next->outputs)
         if (replaceIn(outputs)) scenes.insert(outputs.scene);
       if (scenes.empty()) continue;
       ++runs;
@@ -80,7 +80,7 @@ private:
   /// Items that the replaced ones hold back, and that have something to gain.
   std::vector<std::string> heldBack(const std::vector<std::string>& earlier) const {
     std::vector<std::string> ids;
-    for (const report::Item& item : items_)
+    for (const results::Item& item : items_)
       if (item.judged && creditOf(item) < 1 && !isReplaced(item.id) &&
           std::any_of(earlier.begin(), earlier.end(),
                       [&](const std::string& one) { return isAfter(item.id, one); }))
@@ -96,9 +96,9 @@ private:
     return depth;
   }
 
-  const report::Item* nextFailed() const {
-    const report::Item* next = nullptr;
-    for (const report::Item& item : items_)
+  const results::Item* nextFailed() const {
+    const results::Item* next = nullptr;
+    for (const results::Item& item : items_)
       if (item.judged && !item.outputs.empty() && !isReplaced(item.id) &&
           creditOf(item) < rubric::kNearlyAll && (!next || depth(item.id) < depth(next->id)) &&
           !heldBack({item.id}).empty())
@@ -107,13 +107,13 @@ private:
   }
 
   /// Adds the reference's pixels of these outputs to what is replaced in their scene.
-  bool replaceIn(const report::PassOutputs& outputs) {
+  bool replaceIn(const results::PassOutputs& outputs) {
     const GradedScene& folders = graded_.scenes.at(outputs.scene);
     const trace::Trace student = trace::load(folders.student);
     const trace::Trace reference = trace::load(folders.reference);
     std::vector<channel::PassPixels>& pixels = pixels_[outputs.scene];
     if (pixels.size() + outputs.pairs.size() > channel::kMaxReplacements) return false;
-    for (const report::PassOutputs::Pair& pair : outputs.pairs) {
+    for (const results::PassOutputs::Pair& pair : outputs.pairs) {
       const trace::CopyRecord* copy =
           reference.copyOf(pair.referencePass, pair.referenceAttachment);
       const trace::ImageRef& image = student.passes.at(pair.pass).images[pair.attachment];
@@ -153,16 +153,16 @@ private:
       if (render(order[i], folder)) students[order[i]] = folder;
     });
     const std::vector<std::string> wanted = heldBack(replaced_);
-    const std::vector<report::Item> again =
+    const std::vector<results::Item> again =
         judge_.judge({students, {}, wanted}, work.path(), problem_);
-    for (const report::Item& one : again)
+    for (const results::Item& one : again)
       if (std::find(wanted.begin(), wanted.end(), one.id) != wanted.end() && one.judged)
         keepBetter(one);
   }
 
-  void keepBetter(const report::Item& again) {
+  void keepBetter(const results::Item& again) {
     const auto item = std::find_if(items_.begin(), items_.end(),
-                                   [&](const report::Item& one) { return one.id == again.id; });
+                                   [&](const results::Item& one) { return one.id == again.id; });
     const double before = creditOf(*item);
     for (std::size_t i = 0; i < again.credits.size(); ++i)
       for (std::size_t k = 0; k < item->credits.size(); ++k)
@@ -182,7 +182,7 @@ private:
       if (isAfter(item->id, id)) item->carried.push_back(declared_.at(id).output);
   }
 
-  static std::string worstMessage(const report::Item& item) {
+  static std::string worstMessage(const results::Item& item) {
     const auto worst =
         std::min_element(item.credits.begin(), item.credits.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
@@ -192,7 +192,7 @@ private:
 
   Judge& judge_;
   Graded& graded_;
-  std::vector<report::Item>& items_;
+  std::vector<results::Item>& items_;
   unsigned threads_;
   std::string& problem_;
   std::map<std::string, ItemDeclaration> declared_;

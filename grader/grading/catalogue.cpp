@@ -114,12 +114,12 @@ public:
             fmt::join(tags_, ", "));
   }
 
-  report::Outcome outcome(const fs::path& patch, const Header& header) {
+  results::Outcome outcome(const fs::path& patch, const Header& header) {
     const auto named = header.find("Outcome");
-    if (named == header.end()) return report::Outcome::graded;
-    if (const auto known = report::parseOutcome(named->second)) return *known;
+    if (named == header.end()) return results::Outcome::graded;
+    if (const auto known = results::parseOutcome(named->second)) return *known;
     fault(patch, "Outcome: \"{}\" is none", named->second);
-    return report::Outcome::graded;
+    return results::Outcome::graded;
   }
 
 private:
@@ -154,7 +154,7 @@ void readVariant(const fs::path& patch, Checker& checker, Catalogue& into) {
   if (header.count("Loses")) variant.loses = commaSeparated(header.at("Loses"));
   for (const std::string& id : variant.loses)
     if (const ItemDeclaration* item = checker.item(patch, "Loses", id))
-      if (!item->beyondLecture && item->kind != report::ItemKind::bonus)
+      if (!item->beyondLecture && item->kind != results::ItemKind::bonus)
         checker.fault(patch,
                       "Loses: {} is required; a right answer may lose only items beyond "
                       "the lecture",

@@ -22,7 +22,7 @@ struct Mistake {
   std::string fails;   ///< the item that must fail
   std::string step;    ///< the TODO to read again
   std::string shows;   ///< tag of the scenes that show it
-  report::Outcome outcome = report::Outcome::graded;
+  results::Outcome outcome = results::Outcome::graded;
   std::string same; ///< name of a mistake with the very same passes, or empty
 };
 
@@ -31,8 +31,8 @@ struct Variant {
   std::string name;
   std::filesystem::path patch;
   std::string title;
-  std::vector<std::string> loses;                    ///< items beyond the lecture that it may lose
-  report::Outcome outcome = report::Outcome::graded; ///< how it ends where it loses them
+  std::vector<std::string> loses; ///< items beyond the lecture that it may lose
+  results::Outcome outcome = results::Outcome::graded; ///< how it ends where it loses them
 };
 
 struct Catalogue {

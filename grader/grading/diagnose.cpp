@@ -15,7 +15,7 @@ namespace ggrade::grading {
 using diagnosis::FirstWrong;
 using diagnosis::Identified;
 using gg::say;
-using report::Diagnosis;
+using results::Diagnosis;
 
 namespace {
 
@@ -26,23 +26,23 @@ std::string stepHeading(const Part& part, const std::string& todo) {
 }
 
 /// The step of the item that lost most.
-std::string stepOfWorst(const report::Result& result, const Part& part) {
-  const report::Item* worst = nullptr;
-  for (const report::Item& item : result.items)
-    if (item.id.starts_with(part.id + '.') && item.kind != report::ItemKind::bonus &&
+std::string stepOfWorst(const results::Result& result, const Part& part) {
+  const results::Item* worst = nullptr;
+  for (const results::Item& item : result.items)
+    if (item.id.starts_with(part.id + '.') && item.kind != results::ItemKind::bonus &&
         report::lost(item) > 0 && (!worst || report::lost(item) > report::lost(*worst)))
       worst = &item;
   return worst ? worst->step : std::string();
 }
 
 /// "Step 3" of an unfinished program: the steps before it show all that it shows.
-void describeStep(const Answer& answer, const Part& part, Diagnosis& words) {
-  std::size_t done = std::stoul(answer.id.substr(5));
-  for (const std::string& other : answer.alike)
+void describeStep(const Cause& cause, const Part& part, Diagnosis& words) {
+  std::size_t done = std::stoul(cause.id.substr(5));
+  for (const std::string& other : cause.alike)
     if (other.starts_with("step.")) done = std::max(done, std::size_t(std::stoul(other.substr(5))));
   words.step = stepHeading(part, part.todos.at(done).id);
   const bool nothing =
-      answer.id == "step.0" || std::ranges::find(answer.alike, "step.0") != answer.alike.end();
+      cause.id == "step.0" || std::ranges::find(cause.alike, "step.0") != cause.alike.end();
   if (nothing) {
     words.text = say("Your picture is still the one of the handed-out program: nothing of this "
                      "part can be seen yet.");
@@ -56,13 +56,13 @@ void describeStep(const Answer& answer, const Part& part, Diagnosis& words) {
   }
 }
 
-void describeMistake(const Answer& answer, const Part& part, const Catalogue& catalogue,
+void describeMistake(const Cause& cause, const Part& part, const Catalogue& catalogue,
                      Diagnosis& words) {
-  const Mistake& mistake = *catalogue.mistake(answer.id);
+  const Mistake& mistake = *catalogue.mistake(cause.id);
   words.text = mistake.hint;
   words.step = stepHeading(part, mistake.step);
   std::vector<std::string> others;
-  for (const std::string& name : answer.alike)
+  for (const std::string& name : cause.alike)
     if (const Mistake* other = catalogue.mistake(name);
         other && other->same != mistake.name && mistake.same != other->name &&
         (mistake.same.empty() || mistake.same != other->same))
@@ -70,14 +70,14 @@ void describeMistake(const Answer& answer, const Part& part, const Catalogue& ca
   if (others.size() > 2) others.resize(2);
   for (const std::string& title : others)
     words.beside.push_back(say("The same is seen where this is so: {}.", title));
-  if (answer.by == Identified::By::firstPass)
+  if (cause.by == Identified::By::firstPass)
     words.beside.push_back(
         say("Something else is wrong after it: grade again once this is right."));
 }
 
 void describePlace(const FirstWrong& first, const Graded& graded, Diagnosis& words) {
   words.picture =
-      first.slot ? diagnosis::words(*first.slot) : say("the window, frame {}", first.frame + 1);
+      first.slot ? diagnosis::describe(*first.slot) : say("the window, frame {}", first.frame + 1);
   words.scene = graded.scenes[first.scene].name;
   words.amount =
       first.missing ? say("not there") : say("{} of it differs", report::percent(first.share));
@@ -86,37 +86,37 @@ void describePlace(const FirstWrong& first, const Graded& graded, Diagnosis& wor
                       std::lround(first.y * first.height), first.width, first.height);
 }
 
-Diagnosis inWords(const Answer& answer, const Graded& graded, const Part& part,
+Diagnosis inWords(const Cause& cause, const Graded& graded, const Part& part,
                   const Catalogue& catalogue) {
   Diagnosis words;
   words.part = part.id;
-  words.id = answer.id;
-  words.confidence = answer.confidence;
-  if (answer.first) describePlace(*answer.first, graded, words);
-  if (answer.id.empty()) {
+  words.id = cause.id;
+  words.confidence = cause.confidence;
+  if (cause.first) describePlace(*cause.first, graded, words);
+  if (cause.id.empty()) {
     words.text = say("What went wrong here matches no known mistake. The items below say what was "
                      "seen and where.");
     words.step = stepOfWorst(graded.result, part);
-  } else if (answer.generic) {
-    std::string what = answer.of ? diagnosis::words(*answer.of) : say("the window's picture");
+  } else if (cause.generic) {
+    std::string what = cause.of ? diagnosis::describe(*cause.of) : say("the window's picture");
     what[0] = char(std::toupper(static_cast<unsigned char>(what[0])));
-    words.text = diagnosis::words(*answer.generic, what);
+    words.text = diagnosis::describe(*cause.generic, what);
     words.step = stepOfWorst(graded.result, part);
-  } else if (answer.id.starts_with("step.")) {
-    describeStep(answer, part, words);
+  } else if (cause.id.starts_with("step.")) {
+    describeStep(cause, part, words);
   } else {
-    describeMistake(answer, part, catalogue, words);
+    describeMistake(cause, part, catalogue, words);
   }
   return words;
 }
 
 } // namespace
 
-std::vector<std::string> lostItems(const report::Result& result, const Part& part) {
+std::vector<std::string> lostItems(const results::Result& result, const Part& part) {
   std::vector<std::string> lost;
-  for (const report::Item& item : result.items)
-    if (item.id.starts_with(part.id + '.') && item.judged && item.kind != report::ItemKind::bonus &&
-        report::lost(item) > 1e-6)
+  for (const results::Item& item : result.items)
+    if (item.id.starts_with(part.id + '.') && item.judged &&
+        item.kind != results::ItemKind::bonus && report::lost(item) > 1e-6)
       lost.push_back(item.id);
   return lost;
 }
@@ -128,7 +128,7 @@ Shown shown(std::vector<std::filesystem::path> folders) {
 
 std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
                                    const std::function<Diagnoser&(const Part&)>& diagnoserOf) {
-  const report::Result& result = graded.result;
+  const results::Result& result = graded.result;
   const auto observed = diagnosis::outcomeDiagnosis(result, graded.facts);
   if (!report::scored(result.outcome))
     return observed ? std::vector{*observed} : std::vector<Diagnosis>{};
@@ -136,7 +136,7 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
   for (const Part& part : target.parts) {
     const std::vector<std::string> lost = lostItems(result, part);
     if (lost.empty()) continue;
-    if (observed && result.outcome == report::Outcome::graded) {
+    if (observed && result.outcome == results::Outcome::graded) {
       // Seen, not concluded: no picture can be surer.
       all.push_back(*observed);
       all.back().part = part.id;
@@ -144,9 +144,9 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
       continue;
     }
     Diagnoser& diagnoser = diagnoserOf(part);
-    const Answer answer = diagnoser.answer(lost, shown(graded.students()));
-    Diagnosis words = inWords(answer, graded, part, diagnoser.catalogue());
-    if (answer.id.empty() && observed) {
+    const Cause cause = diagnoser.causeOf(lost, shown(graded.students()));
+    Diagnosis words = inWords(cause, graded, part, diagnoser.catalogue());
+    if (cause.id.empty() && observed) {
       words.id = observed->id;
       words.text = observed->text;
       words.confidence = observed->confidence;

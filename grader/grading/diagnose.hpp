@@ -7,14 +7,14 @@
 namespace ggrade::grading {
 
 /// The items of a part that lost points, without the bonus.
-std::vector<std::string> lostItems(const report::Result& result, const Part& part);
+std::vector<std::string> lostItems(const results::Result& result, const Part& part);
 
 /// What lies in a submission's folders of frames and passes, by scene.
 Shown shown(std::vector<std::filesystem::path> folders);
 
 /// At most one diagnosis a part that lost points, and none where nothing was lost; one for all
 /// where the outcome says it. Throws UsageError for a fault in the catalogue, and Interrupted.
-std::vector<report::Diagnosis>
+std::vector<results::Diagnosis>
 diagnosesOf(const Target& target, const Graded& graded,
             const std::function<Diagnoser&(const Part&)>& diagnoserOf);
 

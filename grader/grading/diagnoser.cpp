@@ -100,10 +100,10 @@ std::vector<Candidate> Diagnoser::suspects(const std::vector<std::string>& lost,
   std::vector<Candidate> all = steps();
   for (const Mistake& mistake : catalogue_.mistakes) {
     const bool shows =
-        mistake.outcome == report::Outcome::graded || mistake.outcome == report::Outcome::glError;
+        mistake.outcome == results::Outcome::graded || mistake.outcome == results::Outcome::glError;
     // A bonus is never lost, and yet a mistake in it may cost points elsewhere.
     const auto fails = std::ranges::find(part_.items, mistake.fails, &ItemDeclaration::id);
-    const bool bonus = fails != part_.items.end() && fails->kind == report::ItemKind::bonus;
+    const bool bonus = fails != part_.items.end() && fails->kind == results::ItemKind::bonus;
     if (shows && !leftOut.count(mistake.name) &&
         (bonus || std::ranges::find(lost, mistake.fails) != lost.end()))
       all.push_back(candidateOf(mistake));
@@ -136,9 +136,9 @@ bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
   return (by == Identified::By::firstPass ? like.first : like.all) >= thresholds.same;
 }
 
-std::optional<Answer> Diagnoser::known(const std::vector<Candidate>& suspects,
-                                       const std::vector<std::size_t>& scenes, const Run& student,
-                                       double least, const diagnosis::Thresholds& thresholds) {
+std::optional<Cause> Diagnoser::known(const std::vector<Candidate>& suspects,
+                                      const std::vector<std::size_t>& scenes, const Run& student,
+                                      double least, const diagnosis::Thresholds& thresholds) {
   // The scene in which most is wrong: the public one if it can, because it is the same with every
   // seed.
   std::size_t telling = 0;
@@ -173,22 +173,22 @@ std::optional<Answer> Diagnoser::known(const std::vector<Candidate>& suspects,
   diagnosis::KnownFaults faults{all, signaturesOf(finalists, scenes)};
   const auto found = faults.identify(student, thresholds);
   if (!found) return std::nullopt;
-  Answer answer;
-  answer.id = faults.signatures[found->signature].name;
-  for (const std::size_t i : found->alike) answer.alike.push_back(faults.signatures[i].name);
+  Cause cause;
+  cause.id = faults.signatures[found->signature].name;
+  for (const std::size_t i : found->alike) cause.alike.push_back(faults.signatures[i].name);
   // Where an unfinished program shows the very same, that is likelier than a mistake.
-  if (!isStep(answer.id))
-    if (const auto step = std::ranges::find_if(answer.alike, isStep); step != answer.alike.end())
-      std::swap(*step, answer.id);
-  answer.by = found->by;
-  answer.confidence = found->confidence;
-  return answer;
+  if (!isStep(cause.id))
+    if (const auto step = std::ranges::find_if(cause.alike, isStep); step != cause.alike.end())
+      std::swap(*step, cause.id);
+  cause.by = found->by;
+  cause.confidence = found->confidence;
+  return cause;
 }
 
-std::optional<Answer> Diagnoser::changed(const std::vector<std::size_t>& scenes, const Run& student,
-                                         const Shown& shown,
-                                         const std::optional<diagnosis::FirstWrong>& first) {
-  Answer answer;
+std::optional<Cause> Diagnoser::changed(const std::vector<std::size_t>& scenes, const Run& student,
+                                        const Shown& shown,
+                                        const std::optional<diagnosis::FirstWrong>& first) {
+  Cause cause;
   if (first && first->slot && !first->missing) {
     std::vector<diagnosis::Pair> pairs;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -208,11 +208,11 @@ std::optional<Answer> Diagnoser::changed(const std::vector<std::size_t>& scenes,
         change && change->kind != Generic::Kind::shifted &&
         // A level that is black for a while may be cleared: another way to a right picture.
         (first->slot->mesh || !isOneColour(change->kind))) {
-      answer.generic = change;
-      answer.of = first->slot;
+      cause.generic = change;
+      cause.of = first->slot;
     }
   }
-  if (!answer.generic) {
+  if (!cause.generic) {
     std::vector<std::vector<Image>> ours, theirs, stubs;
     std::vector<diagnosis::Pair> pairs;
     for (const std::size_t scene : scenes) {
@@ -226,18 +226,18 @@ std::optional<Answer> Diagnoser::changed(const std::vector<std::size_t>& scenes,
                          i < stubs.back().size() ? &stubs.back()[i] : nullptr});
       }
     }
-    answer.generic = diagnosis::generic(pairs);
+    cause.generic = diagnosis::generic(pairs);
   }
-  if (!answer.generic) return std::nullopt;
-  answer.id = nameOf(answer.generic->kind);
-  answer.confidence = answer.generic->likeness;
-  return answer;
+  if (!cause.generic) return std::nullopt;
+  cause.id = nameOf(cause.generic->kind);
+  cause.confidence = cause.generic->likeness;
+  return cause;
 }
 
-Answer Diagnoser::answer(const std::vector<std::string>& lost, const Shown& shown,
+Cause Diagnoser::causeOf(const std::vector<std::string>& lost, const Shown& shown,
                          const std::set<std::string>& leftOut,
                          const diagnosis::Thresholds& thresholds) {
-  Answer answer;
+  Cause cause;
   // Scenes that are a change of another tell nothing new, unless only the change is wrong.
   for (const bool changes : {false, true}) {
     const std::vector<std::size_t> scenes = scenesOf(lost, changes);
@@ -256,11 +256,11 @@ Answer Diagnoser::answer(const std::vector<std::string>& lost, const Shown& show
     }
     if (!first) continue;
     if (auto found = known(suspects(lost, leftOut), scenes, student, least, thresholds))
-      answer = std::move(*found);
+      cause = std::move(*found);
     else if (faint)
       continue;
     else if (auto change = changed(scenes, student, shown, first))
-      answer = std::move(*change);
+      cause = std::move(*change);
     first->scene = scenes[first->scene];
     // A place in the public scene helps more than one that nobody may see.
     for (std::size_t i = 0; i < scenes.size(); ++i)
@@ -270,10 +270,10 @@ Answer Diagnoser::answer(const std::vector<std::string>& lost, const Shown& show
           first = there;
           first->scene = scenes[i];
         }
-    answer.first = first;
+    cause.first = first;
     break;
   }
-  return answer;
+  return cause;
 }
 
 } // namespace ggrade::grading

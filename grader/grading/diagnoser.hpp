@@ -18,7 +18,7 @@ struct Shown {
 };
 
 /// What was found out about a submission.
-struct Answer {
+struct Cause {
   /// Of the mistake in the catalogue; "step.3": the program up to step 3; of the change, such as
   /// "upside_down". Empty: unknown.
   std::string id;
@@ -43,7 +43,7 @@ public:
 
   /// \param lost IDs of the part's items that lost points
   /// \param leftOut names of mistakes that are not to be known, for measuring
-  Answer answer(const std::vector<std::string>& lost, const Shown& shown,
+  Cause causeOf(const std::vector<std::string>& lost, const Shown& shown,
                 const std::set<std::string>& leftOut = {},
                 const diagnosis::Thresholds& thresholds = {});
 
@@ -65,12 +65,12 @@ private:
                                                  const std::vector<std::size_t>& scenes);
   std::vector<Candidate> suspects(const std::vector<std::string>& lost,
                                   const std::set<std::string>& leftOut) const;
-  std::optional<Answer> known(const std::vector<Candidate>& suspects,
-                              const std::vector<std::size_t>& scenes, const diagnosis::Run& student,
-                              double least, const diagnosis::Thresholds& thresholds);
-  std::optional<Answer> changed(const std::vector<std::size_t>& scenes,
-                                const diagnosis::Run& student, const Shown& shown,
-                                const std::optional<diagnosis::FirstWrong>& first);
+  std::optional<Cause> known(const std::vector<Candidate>& suspects,
+                             const std::vector<std::size_t>& scenes, const diagnosis::Run& student,
+                             double least, const diagnosis::Thresholds& thresholds);
+  std::optional<Cause> changed(const std::vector<std::size_t>& scenes,
+                               const diagnosis::Run& student, const Shown& shown,
+                               const std::optional<diagnosis::FirstWrong>& first);
 
   const Target& target_;
   const Part& part_;

@@ -23,28 +23,28 @@ namespace ggrade::grading {
 
 namespace fs = std::filesystem;
 using gg::say;
-using report::Outcome;
+using results::Outcome;
 
 namespace {
 
 /// Adds the time since its construction to the result when it goes.
 class Stopwatch {
 public:
-  Stopwatch(report::Result& result, std::string what) : result_(result), what_(std::move(what)) {}
+  Stopwatch(results::Result& result, std::string what) : result_(result), what_(std::move(what)) {}
   ~Stopwatch() {
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
     result_.timings.push_back({what_, passed.count()});
   }
 
 private:
-  report::Result& result_;
+  results::Result& result_;
   std::string what_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-report::Frame compareFrames(const Image& student, const ReferencePictures::Frame& shown) {
+results::Frame compareFrames(const Image& student, const ReferencePictures::Frame& shown) {
   const Image& reference = shown.image;
-  report::Frame frame;
+  results::Frame frame;
   frame.time = shown.raw.time;
   frame.student = student;
   frame.reference = reference;
@@ -94,7 +94,7 @@ std::vector<std::string> remarks(const channel::Capture& capture) {
 
 /// Holds two runs of one program in one scene against each other. The sentence says what differs;
 /// empty: nothing.
-std::string compareRuns(const Rendering& first, const Rendering& again, report::Scene& scene) {
+std::string compareRuns(const Rendering& first, const Rendering& again, results::Scene& scene) {
   if (again.happened.outcome == Outcome::notGradable) return {}; // no fault of the submission
   if (first.happened.outcome != again.happened.outcome)
     return say("a second run of the same program ended in another way ({})", again.happened.detail);
@@ -124,12 +124,12 @@ std::string compareRuns(const Rendering& first, const Rendering& again, report::
       where);
 }
 
-report::Scene describe(const GradedScene& graded, ReferencePictures& pictures) {
+results::Scene describe(const GradedScene& graded, ReferencePictures& pictures) {
   const Rendering& rendering = graded.rendering;
-  report::Scene scene;
+  results::Scene scene;
   scene.name = graded.name;
   scene.isPublic = graded.isPublic;
-  scene.outcome = report::name(rendering.happened.outcome);
+  scene.outcome = results::name(rendering.happened.outcome);
   scene.detail = rendering.happened.detail;
   scene.output = rendering.happened.output;
   scene.seconds = rendering.happened.seconds;
@@ -154,10 +154,10 @@ bool drawsTheReference(const GradedScene& scene) {
 }
 
 /// Items as declared, nothing earned: for submissions that never came to be judged.
-std::vector<report::Item> unearned(const Target& target, const std::string& why) {
-  std::vector<report::Item> items;
+std::vector<results::Item> unearned(const Target& target, const std::string& why) {
+  std::vector<results::Item> items;
   for (const ItemDeclaration& declared : target.items()) {
-    report::Item item = unjudgedItem(declared);
+    results::Item item = unjudgedItem(declared);
     item.message = why;
     items.push_back(std::move(item));
   }
@@ -165,7 +165,7 @@ std::vector<report::Item> unearned(const Target& target, const std::string& why)
 }
 
 /// The outcome of all scenes together, and the first remark or fault in words.
-void nameOutcome(const std::vector<GradedScene>& scenes, report::Result& result) {
+void nameOutcome(const std::vector<GradedScene>& scenes, results::Result& result) {
   result.outcome = Outcome::graded;
   for (const GradedScene& scene : scenes) {
     const Happened& happened = scene.rendering.happened;
@@ -187,9 +187,9 @@ void nameOutcome(const std::vector<GradedScene>& scenes, report::Result& result)
 }
 
 /// Says so where two runs of the first scene differ.
-void nameUnsteady(const Rendering& first, const Rendering& again, report::Result& result) {
+void nameUnsteady(const Rendering& first, const Rendering& again, results::Result& result) {
   if (result.scenes.empty()) return;
-  report::Scene& scene = result.scenes[0];
+  results::Scene& scene = result.scenes[0];
   const std::string unsteady = compareRuns(first, again, scene);
   if (unsteady.empty()) return;
   scene.messages.insert(scene.messages.begin(), unsteady);
@@ -198,18 +198,18 @@ void nameUnsteady(const Rendering& first, const Rendering& again, report::Result
 
 } // namespace
 
-void addUp(report::Result& result) {
+void addUp(results::Result& result) {
   double sum = 0, bonus = 0;
-  for (const report::Item& item : result.items)
-    (item.kind == report::ItemKind::bonus ? bonus : sum) += item.earned;
+  for (const results::Item& item : result.items)
+    (item.kind == results::ItemKind::bonus ? bonus : sum) += item.earned;
   result.score = std::max(0.0, std::round(sum * 10) / 10);
   // A bonus comes on top of something.
   result.bonus = result.score > 0 ? std::round(bonus * 10) / 10 : 0;
 }
 
-report::Result ungraded(const Target& target, const ScenePlan& plan, Outcome outcome,
-                        const std::string& detail) {
-  report::Result result;
+results::Result ungraded(const Target& target, const ScenePlan& plan, Outcome outcome,
+                         const std::string& detail) {
+  results::Result result;
   result.assignment = target.assignment.id;
   result.part = target.id;
   result.title = target.title();
@@ -253,12 +253,12 @@ void Grader::prepare() {
   theJudge();
 }
 
-report::Result Grader::gradeUpload(const intake::Upload& upload) {
+results::Result Grader::gradeUpload(const intake::Upload& upload) {
   TemporaryFolder work;
   const fs::path folder = work.path() / "upload";
   const intake::Unpacked unpacked =
       intake::unpack(upload, target_.assignment.files, folder, isolation(), &interrupted);
-  report::Result result;
+  results::Result result;
   try {
     if (!unpacked.problem.empty()) throw NothingToGrade(unpacked.problem);
     result = grade(std::make_shared<Program>(target_.assignment, Recipe{folder}, isolation(),
@@ -272,13 +272,13 @@ report::Result Grader::gradeUpload(const intake::Upload& upload) {
   return result;
 }
 
-report::Result Grader::gradeTrusted(const fs::path& folder) {
+results::Result Grader::gradeTrusted(const fs::path& folder) {
   return grade(std::make_shared<Program>(target_.assignment, Recipe{folder}, isolation(),
                                          Program::Use::once),
                true);
 }
 
-report::Result Grader::grade(const std::shared_ptr<Program>& program, bool trusted) {
+results::Result Grader::grade(const std::shared_ptr<Program>& program, bool trusted) {
   program->files(); // nothing to grade: said before the references are rendered for it
   prepare();        // the judge reads while the compiler runs
   Graded graded = draw(build(program, trusted));
@@ -290,7 +290,7 @@ report::Result Grader::grade(const std::shared_ptr<Program>& program, bool trust
 
 Built Grader::build(const std::shared_ptr<Program>& program, bool trusted) {
   Built built{ungraded(target_, plan_, Outcome::buildFailed, {}), program};
-  report::Result& result = built.result;
+  results::Result& result = built.result;
   const Overlay& taken = program->files();
   if (!trusted) result.unusedFiles = taken.unused;
   for (const std::string& name : taken.missing)
@@ -388,12 +388,12 @@ Graded Grader::draw(const Built& built, std::size_t count) {
 
 void Grader::judge(Graded& graded) {
   if (!graded.work) return; // not built
-  report::Result& result = graded.result;
+  results::Result& result = graded.result;
   options_.progress("judging", graded.scenes.size() + 1, graded.scenes.size() + 2);
   // The pictures for the report are compared while the rubric judges, or after it.
   const auto when = options_.threads > 1 ? std::launch::async : std::launch::deferred;
-  std::future<std::vector<report::Scene>> scenes = std::async(when, [&] {
-    std::vector<report::Scene> all;
+  std::future<std::vector<results::Scene>> scenes = std::async(when, [&] {
+    std::vector<results::Scene> all;
     if (options_.pictures)
       for (const GradedScene& scene : graded.scenes) all.push_back(describe(scene, pictures_));
     return all;
@@ -422,7 +422,7 @@ void Grader::judge(Graded& graded) {
 }
 
 void Grader::diagnose(Graded& graded) {
-  report::Result& result = graded.result;
+  results::Result& result = graded.result;
   if (!graded.work) { // not built
     if (const auto observed = diagnosis::outcomeDiagnosis(result, {}))
       result.diagnoses = {*observed};
@@ -441,14 +441,14 @@ void Grader::diagnose(Graded& graded) {
     });
   } catch (const UsageError&) {
     // The catalogue is the instructor's; its faults cost nobody a grade.
-    report::Diagnosis none;
+    results::Diagnosis none;
     none.text = say("No cause was looked for: the catalogue of mistakes has a fault, which "
                     "ggrade calibrate names.");
     result.diagnoses = {none};
   }
 }
 
-void publishReports(const report::Result& result, const fs::path& out, report::Reveal reveal) {
+void publishReports(const results::Result& result, const fs::path& out, report::Reveal reveal) {
   // Beside the destination, so that it can be moved there in one step.
   TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
   report::writeReports(work.path(), result, reveal);

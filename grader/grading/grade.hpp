@@ -4,11 +4,10 @@
 
 #include "grading/diagnoser.hpp"
 #include "grading/judge.hpp"
-#include "grading/reference_pictures.hpp"
 #include "grading/references.hpp"
 #include "intake/find_uploads.hpp"
-#include "report/results.hpp"
 #include "report/reveal.hpp"
+#include "results/results.hpp"
 
 #include <memory>
 #include <optional>
@@ -23,13 +22,13 @@ struct GradedScene : rubric::SceneFolders {
 
 /// A submission that was built, to be graded with one seed or several.
 struct Built {
-  report::Result result; ///< what every grading of it says, its outcome included
+  results::Result result; ///< what every grading of it says, its outcome included
   std::shared_ptr<Program> program;
 };
 
 /// A submission on its way through a grading. What it drew goes with this.
 struct Graded {
-  report::Result result;
+  results::Result result;
   std::shared_ptr<Program> program;
   std::vector<GradedScene> scenes; ///< the public one first; none where it wasn't built
   std::optional<Rendering> again;  ///< the public scene's second run
@@ -71,12 +70,12 @@ public:
 
   /// From an upload as it came to the result. What can't be unpacked, or holds nothing of the
   /// assignment, was not built, and the result says why.
-  report::Result gradeUpload(const intake::Upload& upload);
+  results::Result gradeUpload(const intake::Upload& upload);
   /// The same of a folder whose other files are expected. Throws UsageError where it isn't there or
   /// holds nothing of the assignment.
-  report::Result gradeTrusted(const std::filesystem::path& folder);
+  results::Result gradeTrusted(const std::filesystem::path& folder);
   /// The steps of all that: builds, draws, judges, diagnoses.
-  report::Result grade(const std::shared_ptr<Program>& program, bool trusted);
+  results::Result grade(const std::shared_ptr<Program>& program, bool trusted);
 
   /// Builds the program. One that doesn't build is no error: see the result's outcome.
   Built build(const std::shared_ptr<Program>& program, bool trusted);
@@ -109,14 +108,14 @@ private:
 };
 
 /// The result of a submission of which nothing was built, for the reason `detail`.
-report::Result ungraded(const Target& target, const ScenePlan& plan, report::Outcome outcome,
-                        const std::string& detail);
+results::Result ungraded(const Target& target, const ScenePlan& plan, results::Outcome outcome,
+                         const std::string& detail);
 
 /// The score and the bonus that `result.items` add up to.
-void addUp(report::Result& result);
+void addUp(results::Result& result);
 
 /// Writes results.json, junit.xml, index.html and student.html to `out`, all or none.
-void publishReports(const report::Result& result, const std::filesystem::path& out,
+void publishReports(const results::Result& result, const std::filesystem::path& out,
                     report::Reveal reveal);
 
 } // namespace ggrade::grading

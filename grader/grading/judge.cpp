@@ -1,5 +1,7 @@
 #include "grading/judge.hpp"
 
+#include "grading/toolchain.hpp"
+
 #include "rubric/rubric.hpp"
 #include "words/words.hpp"
 
@@ -39,16 +41,16 @@ std::string stepTitle(const Target& target, const std::string& todo) {
 }
 
 /// The items of `target`, filled in from the lines that the judge appended to `results`.
-std::vector<report::Item> readItems(const Target& target, const fs::path& results) {
+std::vector<results::Item> readItems(const Target& target, const fs::path& results) {
   std::map<std::string, json> judged;
   std::ifstream in(results);
   for (std::string line; std::getline(in, line);) {
     const json one = json::parse(line, nullptr, false);
     if (one.is_object()) judged[one.at("id")] = one;
   }
-  std::vector<report::Item> items;
+  std::vector<results::Item> items;
   for (const ItemDeclaration& declared : target.items()) {
-    report::Item item = unjudgedItem(declared);
+    results::Item item = unjudgedItem(declared);
     if (const auto found = judged.find(declared.id); found != judged.end()) {
       item.judged = true;
       item.earned = found->second.at("earned");
@@ -63,7 +65,7 @@ std::vector<report::Item> readItems(const Target& target, const fs::path& result
           item.outputs.back().pairs.push_back({pair.at(0), pair.at(1), pair.at(2), pair.at(3)});
       }
       const bool full =
-          item.kind == report::ItemKind::keep ? item.earned >= 0 : item.earned >= item.points;
+          item.kind == results::ItemKind::keep ? item.earned >= 0 : item.earned >= item.points;
       if (!full) {
         item.cause = declared.cause;
         item.step = stepTitle(target, declared.step);
@@ -85,8 +87,8 @@ std::vector<char*> withoutGoogleTest() {
 
 } // namespace
 
-report::Item unjudgedItem(const ItemDeclaration& declared) {
-  report::Item item;
+results::Item unjudgedItem(const ItemDeclaration& declared) {
+  results::Item item;
   item.id = declared.id;
   item.title = declared.title;
   item.looksAt = declared.looksAt;
@@ -96,8 +98,8 @@ report::Item unjudgedItem(const ItemDeclaration& declared) {
   return item;
 }
 
-void keepScenes(std::vector<report::Item>& items, const std::vector<std::string>& scenes) {
-  for (report::Item& item : items) {
+void keepScenes(std::vector<results::Item>& items, const std::vector<std::string>& scenes) {
+  for (results::Item& item : items) {
     if (!item.judged) continue;
     double credit = 1;
     std::string message = "no scene shows it";
@@ -119,9 +121,8 @@ void keepScenes(std::vector<report::Item>& items, const std::vector<std::string>
   }
 }
 
-fs::path& judgeProgram() {
-  static fs::path program = "/proc/self/exe";
-  return program;
+fs::path judgeProgram() {
+  return fs::path(toolchain::kBuildFolder) / "bin" / "ggrade";
 }
 
 Judge::Judge(const Target& target, std::vector<rubric::SceneFolders> scenes, bool many,
@@ -189,8 +190,8 @@ std::string Judge::gone() {
   return end_;
 }
 
-std::vector<report::Item> Judge::judge(const Request& request, const fs::path& work,
-                                       std::string& problem) {
+std::vector<results::Item> Judge::judge(const Request& request, const fs::path& work,
+                                        std::string& problem) {
   json students = json::array();
   for (std::size_t i = 0; i < scenes_.size(); ++i)
     students.push_back(i < request.students.size() ? request.students[i].string() : "");
@@ -223,7 +224,7 @@ std::vector<report::Item> Judge::judge(const Request& request, const fs::path& w
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   if (problem.empty()) problem = readFile(done);
-  std::vector<report::Item> items = readItems(target_, results);
+  std::vector<results::Item> items = readItems(target_, results);
   if (request.students.size() < scenes_.size()) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < request.students.size(); ++i) names.push_back(scenes_[i].name);

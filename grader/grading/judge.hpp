@@ -15,15 +15,14 @@
 namespace ggrade::grading {
 
 /// An item as declared, with nothing earned yet.
-report::Item unjudgedItem(const ItemDeclaration& declared);
+results::Item unjudgedItem(const ItemDeclaration& declared);
 
 /// Items of which only these scenes are known: the worst of them counts. What none of them shows
 /// is given, for nobody saw it wrong.
-void keepScenes(std::vector<report::Item>& items, const std::vector<std::string>& scenes);
+void keepScenes(std::vector<results::Item>& items, const std::vector<std::string>& scenes);
 
-/// The program whose command `judge` is the judge: this one. Programs that link this library and
-/// aren't the tool name it here before anything is judged.
-std::filesystem::path& judgeProgram();
+/// The program whose command `judge` is the judge, whichever program asks for it.
+std::filesystem::path judgeProgram();
 
 /// May be asked by several threads.
 class Judge {
@@ -46,8 +45,8 @@ public:
   };
   /// `work` is for the answer's files. An item that was never reached stays unjudged, and `problem`
   /// says why. Throws Interrupted.
-  std::vector<report::Item> judge(const Request& request, const std::filesystem::path& work,
-                                  std::string& problem);
+  std::vector<results::Item> judge(const Request& request, const std::filesystem::path& work,
+                                   std::string& problem);
 
 private:
   /// Why it is gone, or "".

@@ -18,7 +18,7 @@ namespace ggrade::grading {
 
 namespace fs = std::filesystem;
 using gg::say;
-using report::Outcome;
+using results::Outcome;
 using sandbox::End;
 using sandbox::Isolation;
 

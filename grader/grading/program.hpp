@@ -27,14 +27,14 @@ sandbox::Isolation& isolation();
 
 /// What happened when a submission was built or run, in the contract's terms.
 struct Happened {
-  report::Outcome outcome = report::Outcome::notGradable;
+  results::Outcome outcome = results::Outcome::notGradable;
   std::string detail; ///< one sentence with the evidence
   std::string output; ///< what the program or compiler wrote, valid UTF-8
   double seconds = 0;
   bool signalled = false; ///< a signal ended it
 
   bool ok() const {
-    return outcome == report::Outcome::graded || outcome == report::Outcome::glError;
+    return outcome == results::Outcome::graded || outcome == results::Outcome::glError;
   }
 };
 

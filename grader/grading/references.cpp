@@ -1,5 +1,8 @@
 #include "grading/references.hpp"
 
+#include "grading/judge.hpp"
+#include "report/picture.hpp"
+
 #include <fmt/format.h>
 
 #include <atomic>
@@ -10,7 +13,7 @@ namespace ggrade::grading {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using report::Outcome;
+using results::Outcome;
 using sandbox::Isolation;
 
 namespace {
@@ -26,7 +29,7 @@ struct Own {
 void requireGood(const Happened& happened, const std::string& what) {
   if (happened.outcome != Outcome::graded)
     throw std::runtime_error(fmt::format("{} can't be rendered ({}): {}\n{}", what,
-                                         report::name(happened.outcome), happened.detail,
+                                         results::name(happened.outcome), happened.detail,
                                          happened.output));
 }
 
@@ -84,7 +87,8 @@ std::string referenceKey(const Target& target, const fs::path& solutionFolder) {
 
 std::string gradingKey(const Target& target, const fs::path& solutionFolder,
                        const ScenePlan& plan) {
-  static const std::string tool = hashOf(readFile("/proc/self/exe"));
+  static const std::string tool =
+      hashOf(readFile("/proc/self/exe")) + hashOf(readFile(judgeProgram()));
   return tool + target.id + readJson(target.assignment.folder / "assignment.json").dump() +
          referenceKey(target, solutionFolder) + describe(plan);
 }
@@ -121,8 +125,7 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
           hashOf(own.program.key() + content.dump() + json(scene.times).dump() + identity(trace));
       fs::path folder = cache / "frames" / name;
       if (!elsewhere.empty() && !fs::exists(folder / "frames.json")) folder = elsewhere / name;
-      if (!fs::exists(folder / "frames.json"))
-        jobs.push_back({&own, &content, &scene.times, folder, trace});
+      jobs.push_back({&own, &content, &scene.times, folder, trace});
       return folder;
     };
     rubric::SceneFolders folders{scene, {}, {}, {}, {}};
@@ -137,8 +140,13 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   // read its copy of the shaders that the stub has warmed, never of the reference's.
   all.shaders.folder = shaderFolder(target, stub);
   all.ownShaders.folder = shaderFolder(target, reference);
-  const bool warm = fs::exists(all.shaders.folder) && fs::exists(all.ownShaders.folder);
-  if (jobs.empty() && warm) return all;
+  const auto ready = [&] {
+    std::erase_if(jobs, [](const Job& job) { return fs::exists(job.folder / "frames.json"); });
+    return jobs.empty() && fs::exists(all.shaders.folder) && fs::exists(all.ownShaders.folder);
+  };
+  if (ready()) return all;
+  const Making making(referenceKey(target, solutionFolder));
+  if (ready()) return all;
   progress("building the reference and the stub", 0, jobs.size() + 1);
   Own* const both[] = {&reference, &stub};
   inParallel(2, workers(), [&](std::size_t i) {
@@ -158,6 +166,19 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
     progress("rendering the reference", ++done, jobs.size() + 1);
   });
   return all;
+}
+
+const std::vector<ReferencePictures::Frame>&
+ReferencePictures::of(const std::filesystem::path& folder) {
+  const std::lock_guard lock(mutex_);
+  const auto [entry, fresh] = known_.try_emplace(folder);
+  if (fresh)
+    for (rubric::RawFrame& raw : rubric::readFrames(folder)) {
+      Image image = rubric::toImage(raw);
+      std::string png = report::pngDataUri(image);
+      entry->second.push_back({std::move(raw), std::move(image), std::move(png)});
+    }
+  return entry->second;
 }
 
 } // namespace ggrade::grading

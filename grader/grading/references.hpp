@@ -8,6 +8,8 @@
 #include "rubric/evidence.hpp"
 
 #include <functional>
+#include <map>
+#include <mutex>
 
 namespace ggrade::grading {
 
@@ -40,5 +42,23 @@ std::string wordsKey(const Assignment& assignment, const std::filesystem::path& 
 References prepareReferences(const Target& target, const std::filesystem::path& solutionFolder,
                              const ScenePlan& plan, const Progress& progress,
                              const std::filesystem::path& elsewhere = {});
+
+/// Reads and encodes the reference's frames once for all submissions that they are held against.
+/// Several threads may ask.
+class ReferencePictures {
+public:
+  struct Frame {
+    rubric::RawFrame raw;
+    Image image;     ///< RGBA, 0 to 1
+    std::string png; ///< data URI
+  };
+
+  /// The frames in a folder of the reference's. Throws like `rubric::readFrames`.
+  const std::vector<Frame>& of(const std::filesystem::path& folder);
+
+private:
+  std::mutex mutex_;
+  std::map<std::filesystem::path, std::vector<Frame>> known_;
+};
 
 } // namespace ggrade::grading

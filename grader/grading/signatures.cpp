@@ -17,7 +17,7 @@ constexpr int kLayout = 5;
 
 /// Our own machine's fault must not be kept as if the program showed nothing.
 void requireMachine(const Happened& happened, const std::string& name) {
-  if (happened.outcome == report::Outcome::notGradable)
+  if (happened.outcome == results::Outcome::notGradable)
     throw std::runtime_error(name + ": " + happened.detail);
 }
 
@@ -51,12 +51,18 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
     return cacheFolder() / "signatures" / (hashOf(key) + ".views");
   };
 
-  std::vector<std::size_t> missing;
-  for (std::size_t i = 0; i < candidates.size(); ++i)
-    if (!std::ranges::all_of(
-            scenes, [&](std::size_t scene) { return fs::exists(fileOf(candidates[i], scene)); }))
-      missing.push_back(i);
+  const auto missingNow = [&] {
+    std::vector<std::size_t> missing;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (!std::ranges::all_of(
+              scenes, [&](std::size_t scene) { return fs::exists(fileOf(candidates[i], scene)); }))
+        missing.push_back(i);
+    return missing;
+  };
+  std::vector<std::size_t> missing = missingNow();
   if (!missing.empty()) {
+    const Making making("signatures " + solution);
+    missing = missingNow();
     fs::create_directories(cacheFolder() / "signatures");
     std::atomic<std::size_t> done{0};
     progress("preparing the diagnosis", 0, missing.size());

@@ -9,13 +9,15 @@
 #include <algorithm>
 #include <fstream>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace ggrade::grading {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using report::Outcome;
+using results::Outcome;
 using sandbox::Isolation;
 
 std::string hashOf(const std::string& text) {
@@ -129,6 +131,22 @@ std::string identity(const trace::Request& trace) {
 void keep(const fs::path& made, const fs::path& kept) {
   std::error_code lost;
   fs::rename(made, kept, lost);
+}
+
+Making::Making(const std::string& what) {
+  const fs::path folder = cacheFolder() / "locks";
+  std::error_code none;
+  fs::create_directory(folder, none);
+  lock_ = open((folder / hashOf(what)).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  while (lock_ >= 0 && flock(lock_, LOCK_EX) != 0 && errno == EINTR)
+    if (interrupted) {
+      close(lock_);
+      throw Interrupted{};
+    }
+}
+
+Making::~Making() {
+  if (lock_ >= 0) close(lock_);
 }
 
 std::string programKey(const Assignment& assignment, const fs::path& sources) {

@@ -13,9 +13,9 @@ namespace {
 constexpr std::string_view kOpen = "<!--adjustments-->", kClose = "<!--/adjustments-->";
 
 // "the grader gave 3 of 20, your instructor gave 10"
-std::string scores(const Adjustment& adjustment, ItemKind kind, const std::string& machine,
+std::string scores(const Adjustment& adjustment, results::ItemKind kind, const std::string& machine,
                    const std::string& most) {
-  if (kind == ItemKind::keep)
+  if (kind == results::ItemKind::keep)
     return fmt::format("the grader took off {}{}, your instructor took off {}",
                        number(-adjustment.machine), most, number(-adjustment.points));
   return fmt::format("the grader gave {}{}, your instructor gave {}", machine, most,
@@ -29,11 +29,12 @@ std::string decisionText(const ClassRow& row, const Adjustment& adjustment) {
   const std::string machine = number(adjustment.machine);
   std::string text;
   if (adjustment.item.empty()) {
-    const bool ungraded = row.outcome == Outcome::notGradable;
-    text = "Total: " + scores(adjustment, ItemKind::gain, ungraded ? "no score" : machine,
+    const bool ungraded = row.outcome == results::Outcome::notGradable;
+    text = "Total: " + scores(adjustment, results::ItemKind::gain, ungraded ? "no score" : machine,
                               ungraded ? "" : " of " + number(row.maxScore));
   } else if (item == row.items.end()) {
-    text = sanitizeLine(adjustment.item) + ": " + scores(adjustment, ItemKind::gain, machine, "");
+    text = sanitizeLine(adjustment.item) + ": " +
+           scores(adjustment, results::ItemKind::gain, machine, "");
   } else {
     text = sanitizeLine(item->title.empty() ? item->id : item->title) + ": " +
            scores(adjustment, item->kind, machine, " of " + number(item->points));

@@ -26,7 +26,7 @@ void add(std::vector<ClassGroup>& groups, const std::string& id, const std::stri
 }
 
 double lostPoints(const ClassItem& item) {
-  Item whole;
+  results::Item whole;
   whole.kind = item.kind, whole.points = item.points, whole.earned = item.earned;
   return lost(whole);
 }
@@ -36,7 +36,7 @@ double lostPoints(const ClassItem& item) {
 bool hasScore(const ClassRow& row) {
   const bool decided = std::ranges::any_of(
       row.adjustments, [](const Adjustment& adjustment) { return adjustment.item.empty(); });
-  return std::isfinite(row.finalScore) && (row.outcome != Outcome::notGradable || decided);
+  return std::isfinite(row.finalScore) && (row.outcome != results::Outcome::notGradable || decided);
 }
 
 ScoreFigures scoreFigures(std::span<const ClassRow> rows) {

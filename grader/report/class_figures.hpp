@@ -45,7 +45,7 @@ std::vector<ClassGroup> groupByOutcome(std::span<const ClassRow> rows);
 /// One item over the class.
 struct ItemFigures {
   std::string id, title;
-  ItemKind kind = ItemKind::gain;
+  results::ItemKind kind = results::ItemKind::gain;
   double share = 0; ///< mean of points earned (keep: kept) over points, where it was judged, 0 to 1
   std::size_t judged = 0, lost = 0; ///< submissions
 };

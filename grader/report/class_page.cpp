@@ -40,8 +40,8 @@ std::string scoreText(double score) {
   return std::isfinite(score) ? number(score) : "no score";
 }
 
-Item asItem(const ClassItem& item) {
-  Item whole;
+results::Item asItem(const ClassItem& item) {
+  results::Item whole;
   whole.kind = item.kind, whole.points = item.points;
   whole.earned = item.earned, whole.judged = item.judged;
   return whole;
@@ -55,7 +55,7 @@ Summary summaryOf(const ClassRow& row) {
   summary.perfect =
       scored(row.outcome) && !row.items.empty() &&
       std::ranges::all_of(row.items, [](const ClassItem& item) {
-        return item.kind == ItemKind::bonus || standing(asItem(item)) == Standing::full;
+        return item.kind == results::ItemKind::bonus || standing(asItem(item)) == Standing::full;
       });
   return summary;
 }
@@ -206,7 +206,7 @@ json groupingsOf(std::span<const ClassRow> rows) {
             ? groupOf(group, rows, "Unknown: no known mistake explains what is wrong.", "")
             : groupOf(group, rows, sanitizeLine(group.text, 800), sanitizeLine(group.id)));
   for (const ClassGroup& group : groupByOutcome(rows))
-    outcomes.push_back(groupOf(group, rows, group.text, words(group.id)));
+    outcomes.push_back(groupOf(group, rows, group.text, spaced(group.id)));
   add("mistakes", "Most common mistakes", "Likeliest cause",
       "What the students were told. Shares are of all students; one can have several mistakes.",
       mistakes);
@@ -217,7 +217,7 @@ json groupingsOf(std::span<const ClassRow> rows) {
 json itemOf(const ItemFigures& figures) {
   return {{"title", sanitizeLine(figures.title.empty() ? figures.id : figures.title)},
           {"id", figures.title.empty() ? "" : sanitizeLine(figures.id)},
-          {"keep", figures.kind == ItemKind::keep},
+          {"keep", figures.kind == results::ItemKind::keep},
           {"wasJudged", figures.judged > 0},
           {"share", percent(figures.share)},
           {"width", widthOf(figures.share)},
@@ -228,7 +228,7 @@ json itemOf(const ItemFigures& figures) {
 json itemTablesOf(std::span<const ClassRow> rows) {
   json required = json::array(), bonus = json::array(), tables = json::array();
   for (const ItemFigures& figures : itemFigures(rows))
-    (figures.kind == ItemKind::bonus ? bonus : required).push_back(itemOf(figures));
+    (figures.kind == results::ItemKind::bonus ? bonus : required).push_back(itemOf(figures));
   const auto add = [&](const char* heading, const char* shareHeading, const char* lostHeading,
                        const json& items) {
     if (!items.empty())
@@ -276,7 +276,7 @@ std::vector<std::string> shownRemarks(std::vector<std::string> remarks) {
 }
 
 void setScores(json& data, const ClassRow& row, const ScoreFigures& figures) {
-  const bool isScored = row.outcome != Outcome::notGradable && std::isfinite(row.score);
+  const bool isScored = row.outcome != results::Outcome::notGradable && std::isfinite(row.score);
   const double share = isScored && row.maxScore > 0 ? row.score / row.maxScore : 0;
   const auto bin = hasScore(row) ? binOf(row.finalScore, figures.most) : std::nullopt;
   data["hasScore"] = isScored;
@@ -322,7 +322,7 @@ json rowOf(const ClassRow& row, const ScoreFigures& figures) {
   data["student"] = named ? sanitizeLine(row.student, kNameLength) : "";
   data["state"] = stateOf(summaryOf(row));
   data["outcome"] = name(row.outcome);
-  data["outcomeWords"] = words(name(row.outcome));
+  data["outcomeWords"] = spaced(name(row.outcome));
   data["thumbnail"] = dataUri(row.thumbnail);
   data["headline"] = headline;
   data["reason"] = reason == headline ? "" : reason;
@@ -346,7 +346,7 @@ void setTable(json& data, const ClassPage& page, const ScoreFigures& figures) {
   for (const ClassRow& row : page.rows) rows.push_back(rowOf(row, figures));
   for (const ClassGroup& group : groupByOutcome(page.rows))
     outcomes.push_back(
-        {{"outcome", group.id}, {"outcomeWords", words(group.id)}, {"count", group.rows.size()}});
+        {{"outcome", group.id}, {"outcomeWords", spaced(group.id)}, {"count", group.rows.size()}});
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 /// \file
 /// The page about a whole class: one HTML file that links to each student's.
 
-#include "report/results.hpp"
+#include "results/results.hpp"
 
 #include <string>
 #include <utility>
@@ -21,7 +21,7 @@ struct Adjustment {
 /// How one item went for one student. Points as in Item.
 struct ClassItem {
   std::string id, title;
-  ItemKind kind = ItemKind::gain;
+  results::ItemKind kind = results::ItemKind::gain;
   double earned = 0, points = 0;
   bool judged = false;
 };
@@ -37,7 +37,7 @@ struct ClassRow {
   std::string folder;  ///< of the result, relative to the page; a safe name
   std::string student; ///< key in gradebooks
   std::string name;    ///< for people
-  Outcome outcome = Outcome::notGradable;
+  results::Outcome outcome = results::Outcome::notGradable;
   std::string headline; ///< how it ended, one sentence
   std::string reason;   ///< the diagnosis, what lost most, or the evidence; may be empty
   double score = 0, bonus = 0, maxScore = 0; ///< the machine's

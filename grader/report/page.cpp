@@ -105,7 +105,7 @@ json tallyOf(std::span<const Summary> results) {
   for (const Entry& entry : entries)
     if (entry.count > 0)
       tally.push_back(
-          {{"word", words(entry.word)}, {"state", entry.state}, {"count", entry.count}});
+          {{"word", spaced(entry.word)}, {"state", entry.state}, {"count", entry.count}});
   return tally;
 }
 

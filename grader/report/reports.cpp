@@ -14,18 +14,18 @@ namespace {
 
 struct Suite {
   std::string part;
-  std::vector<const Item*> items;
+  std::vector<const results::Item*> items;
 };
 
 // "mirror.shading" is an item of the part "mirror".
-std::string partOf(const Result& result, const Item& item) {
+std::string partOf(const results::Result& result, const results::Item& item) {
   const auto dot = item.id.find('.');
   return dot == std::string::npos ? result.part : item.id.substr(0, dot);
 }
 
-std::vector<Suite> suites(const Result& result) {
+std::vector<Suite> suites(const results::Result& result) {
   std::vector<Suite> all;
-  for (const Item& item : result.items) {
+  for (const results::Item& item : result.items) {
     const std::string part = partOf(result, item);
     auto suite =
         std::find_if(all.begin(), all.end(), [&](const Suite& s) { return s.part == part; });
@@ -36,15 +36,15 @@ std::vector<Suite> suites(const Result& result) {
   return all;
 }
 
-bool bonusOpen(const Item& item) {
-  return item.kind == ItemKind::bonus && item.judged && standing(item) != Standing::full;
+bool bonusOpen(const results::Item& item) {
+  return item.kind == results::ItemKind::bonus && item.judged && standing(item) != Standing::full;
 }
 
-bool isFailure(const Item& item) {
-  return item.judged && item.kind != ItemKind::bonus && standing(item) != Standing::full;
+bool isFailure(const results::Item& item) {
+  return item.judged && item.kind != results::ItemKind::bonus && standing(item) != Standing::full;
 }
 
-std::string body(const Result& result, const Item& item) {
+std::string body(const results::Result& result, const results::Item& item) {
   const std::string points = pointsText(item);
   if (!item.judged)
     return fmt::format("<error type=\"{}\" message=\"{}\"/>", name(result.outcome),
@@ -63,7 +63,7 @@ std::string body(const Result& result, const Item& item) {
                      escapeXml(sanitizeLine(item.message)), escapeXml(text));
 }
 
-std::string properties(const Result& result) {
+std::string properties(const results::Result& result) {
   std::string xml = "    <properties>\n";
   const auto add = [&](std::string_view key, std::string_view text) {
     xml += fmt::format("      <property name=\"{}\" value=\"{}\"/>\n", escapeXml(key),
@@ -81,18 +81,18 @@ std::string properties(const Result& result) {
   return xml + "    </properties>\n";
 }
 
-std::string suiteXml(const Result& result, const Suite& suite) {
+std::string suiteXml(const results::Result& result, const Suite& suite) {
   const std::string classname = escapeXml(result.assignment + "." + suite.part);
   std::string cases;
   std::size_t tests = suite.items.size(), failures = 0, errors = 0, skipped = 0;
-  for (const Item* item : suite.items) {
+  for (const results::Item* item : suite.items) {
     failures += isFailure(*item);
     errors += !item->judged;
     skipped += bonusOpen(*item);
     cases += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"0\">{}</testcase>\n",
                          classname, escapeXml(item->id), body(result, *item));
   }
-  if (suite.items.empty() && result.outcome != Outcome::graded) {
+  if (suite.items.empty() && result.outcome != results::Outcome::graded) {
     tests = errors = 1; // a run that never got as far as the items must not look like success
     cases =
         fmt::format("    <testcase classname=\"{}\" name=\"outcome\" time=\"0\"><error type=\"{}\" "
@@ -107,13 +107,13 @@ std::string suiteXml(const Result& result, const Suite& suite) {
 
 } // namespace
 
-std::string junit(const Result& result) {
+std::string junit(const results::Result& result) {
   std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ggrade\">\n";
   for (const Suite& suite : suites(result)) xml += suiteXml(result, suite);
   return xml + "</testsuites>\n";
 }
 
-void writeReports(const std::filesystem::path& folder, const Result& result, Reveal reveal,
+void writeReports(const std::filesystem::path& folder, const results::Result& result, Reveal reveal,
                   std::launch how) {
   makeFolder(folder);
   const Pages pages = resultPages(result, reveal, how);

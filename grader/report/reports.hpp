@@ -21,7 +21,8 @@ struct Pages {
 
 /// Both pages of one result; each picture is encoded once. `how`: on threads, or one after another
 /// for who has no processor to spare.
-Pages resultPages(const Result& result, Reveal reveal, std::launch how = std::launch::async);
+Pages resultPages(const results::Result& result, Reveal reveal,
+                  std::launch how = std::launch::async);
 
 /// A list of results, in the order given, with a thumbnail and a link each.
 /// \param intro one or two sentences under the title; may be empty
@@ -33,13 +34,13 @@ std::string overviewPage(std::string_view title, std::string_view intro,
 /// an error that says why; a bonus not earned is skipped. Outcome, seed, score and sandbox stand in
 /// the properties. The instructor's file: it holds everything. Well-formed XML 1.0 whatever the
 /// texts hold.
-std::string junit(const Result& result);
+std::string junit(const results::Result& result);
 
 /// Writes results.json, junit.xml, index.html and student.html to `folder`, which is made if
 /// missing. All four are composed before the first is written, and each is complete or absent.
 /// `how` as in resultPages.
 /// \throws std::runtime_error naming the path, the cause and the remedy.
-void writeReports(const std::filesystem::path& folder, const Result& result,
+void writeReports(const std::filesystem::path& folder, const results::Result& result,
                   Reveal reveal = Reveal::names, std::launch how = std::launch::async);
 
 } // namespace ggrade::report

@@ -22,15 +22,15 @@ Json value(double number) {
   return std::isfinite(number) ? Json(number) : Json(nullptr);
 }
 
-std::string title(const Item& item) {
+std::string title(const results::Item& item) {
   const std::string plain = sanitizeLine(item.title);
-  if (item.kind == ItemKind::bonus) return say("Bonus: {}", plain);
-  if (item.kind == ItemKind::keep)
+  if (item.kind == results::ItemKind::bonus) return say("Bonus: {}", plain);
+  if (item.kind == results::ItemKind::keep)
     return say("{} (takes away up to {})", plain, number(item.points));
   return plain;
 }
 
-std::string outputOf(const Item& item) {
+std::string outputOf(const results::Item& item) {
   std::string text;
   const auto add = [&](const std::string& part) {
     if (!part.empty()) text += part + '\n';
@@ -43,11 +43,11 @@ std::string outputOf(const Item& item) {
   return text;
 }
 
-Json testOf(const Item& item, std::size_t number) {
+Json testOf(const results::Item& item, std::size_t number) {
   Json tags = {name(item.kind)};
   if (item.beyondLecture) tags.push_back("beyond_lecture");
   return {{"score", value(item.earned)},
-          {"max_score", item.kind == ItemKind::keep ? Json(0) : value(item.points)},
+          {"max_score", item.kind == results::ItemKind::keep ? Json(0) : value(item.points)},
           {"status", standing(item) == Standing::full ? "passed" : "failed"},
           {"name", title(item)},
           {"name_format", "text"},
@@ -60,10 +60,10 @@ Json testOf(const Item& item, std::size_t number) {
            {{"id", sanitizeLine(item.id)}, {"kind", name(item.kind)}, {"judged", item.judged}}}};
 }
 
-std::string summary(const Result& view) {
+std::string summary(const results::Result& view) {
   std::string text = headline(view) + "\n";
   if (!view.detail.empty()) text += sanitize(view.detail) + "\n";
-  for (const Diagnosis& diagnosis : view.diagnoses) {
+  for (const results::Diagnosis& diagnosis : view.diagnoses) {
     text += '\n' + say("Diagnosis: {}", sanitizeLine(diagnosis.text, 800)) + '\n';
     if (const std::string seen = whatIsWrong(diagnosis); !seen.empty())
       text += say("First wrong: {}", seen) + '\n';
@@ -77,7 +77,7 @@ std::string summary(const Result& view) {
   return text;
 }
 
-Json extraData(const Result& result) {
+Json extraData(const results::Result& result) {
   Json data = {{"outcome", name(result.outcome)},
                {"detail", sanitize(result.detail)},
                {"assignment", sanitizeLine(result.assignment)},
@@ -100,9 +100,9 @@ Json extraData(const Result& result) {
     data["fingerprint"][sanitizeLine(key)] = sanitizeLine(text);
   for (const auto& [key, number] : result.thresholds)
     data["thresholds"][sanitizeLine(key)] = value(number);
-  for (const Timing& timing : result.timings)
+  for (const results::Timing& timing : result.timings)
     data["timings"][sanitizeLine(timing.what)] = value(timing.seconds);
-  for (const Diagnosis& diagnosis : result.diagnoses)
+  for (const results::Diagnosis& diagnosis : result.diagnoses)
     data["diagnoses"].push_back({{"part", sanitizeLine(diagnosis.part)},
                                  {"id", sanitizeLine(diagnosis.id)},
                                  {"confidence", value(diagnosis.confidence)},
@@ -112,7 +112,7 @@ Json extraData(const Result& result) {
                                  {"amount", sanitizeLine(diagnosis.amount)},
                                  {"scene", sanitizeLine(diagnosis.scene)},
                                  {"place", sanitizeLine(diagnosis.place)}});
-  for (const Item& item : result.items) {
+  for (const results::Item& item : result.items) {
     Json credits = Json::object();
     for (const auto& [scene, credit] : item.credits) credits[sanitizeLine(scene)] = value(credit);
     Json carried = Json::array();
@@ -127,9 +127,9 @@ Json extraData(const Result& result) {
                              {"credits", credits},
                              {"carried_forward", carried}});
   }
-  for (const Scene& scene : result.scenes) {
+  for (const results::Scene& scene : result.scenes) {
     Json frames = Json::array();
-    for (const Frame& frame : scene.frames)
+    for (const results::Frame& frame : scene.frames)
       frames.push_back({{"time", value(frame.time)},
                         {"wrong_share", value(frame.wrongShare)},
                         {"flip", value(frame.flip)},
@@ -149,11 +149,11 @@ Json extraData(const Result& result) {
 
 } // namespace
 
-std::string resultsJson(const Result& result, Reveal reveal) {
-  const Result view = studentView(result, reveal, false);
+std::string resultsJson(const results::Result& result, Reveal reveal) {
+  const results::Result view = studentView(result, reveal, false);
   Json tests = Json::array();
   for (std::size_t i = 0; i < view.items.size(); ++i) tests.push_back(testOf(view.items[i], i + 1));
-  const bool hasScore = result.outcome != Outcome::notGradable;
+  const bool hasScore = result.outcome != results::Outcome::notGradable;
   const Json json = {{"score", hasScore ? value(result.score + result.bonus) : Json(nullptr)},
                      {"execution_time", value(totalSeconds(result))},
                      {"output", summary(view)},

@@ -14,6 +14,6 @@ namespace ggrade::report {
 /// `extra_data` is the instructor's (Gradescope shows it to no student) and holds everything that
 /// makes a regrade exact. Tests of kind `keep` have `max_score` 0 and a score of 0 or less. Source:
 /// Gradescope's autograder specification, "Output format".
-std::string resultsJson(const Result& result, Reveal reveal);
+std::string resultsJson(const results::Result& result, Reveal reveal);
 
 } // namespace ggrade::report

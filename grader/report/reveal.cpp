@@ -24,14 +24,14 @@ std::size_t tupleEnd(std::string_view text, std::size_t at) {
   return at;
 }
 
-bool isPublicScene(const Result& result, std::string_view name) {
+bool isPublicScene(const results::Result& result, std::string_view name) {
   return std::any_of(result.scenes.begin(), result.scenes.end(),
-                     [&](const Scene& s) { return s.isPublic && s.name == name; });
+                     [&](const results::Scene& s) { return s.isPublic && s.name == name; });
 }
 
 // Is the message about the public scene? It begins with the scene that lost most (see
 // rubric::decide), and no message of a hidden scene begins with the public one's name.
-bool speaksOfPublicScene(const Result& result, const Item& item) {
+bool speaksOfPublicScene(const results::Result& result, const results::Item& item) {
   return std::any_of(item.credits.begin(), item.credits.end(), [&](const auto& credit) {
     return credit.second < 1 && isPublicScene(result, credit.first) &&
            item.message.starts_with(credit.first + ": ");
@@ -39,7 +39,7 @@ bool speaksOfPublicScene(const Result& result, const Item& item) {
 }
 
 // Could what was seen have been seen in a hidden scene? Without credits nobody can tell.
-bool speaksOfHiddenScene(const Result& result, const Item& item) {
+bool speaksOfHiddenScene(const results::Result& result, const results::Item& item) {
   if (speaksOfPublicScene(result, item)) return false;
   return item.credits.empty() ||
          std::any_of(item.credits.begin(), item.credits.end(), [&](const auto& credit) {
@@ -48,13 +48,14 @@ bool speaksOfHiddenScene(const Result& result, const Item& item) {
 }
 
 // The name in the catalogue is the instructor's at every level.
-Diagnosis reduced(Diagnosis diagnosis, const Result& result, Reveal reveal) {
+results::Diagnosis reduced(results::Diagnosis diagnosis, const results::Result& result,
+                           Reveal reveal) {
   diagnosis.id.clear();
   if (reveal != Reveal::details && !isPublicScene(result, diagnosis.scene)) diagnosis.place.clear();
   return diagnosis;
 }
 
-Item reduced(Item item, const Result& result, Reveal reveal) {
+results::Item reduced(results::Item item, const results::Result& result, Reveal reveal) {
   if (reveal == Reveal::none) {
     for (std::string* text : {&item.message, &item.where, &item.cause, &item.step}) text->clear();
     item.credits.clear();
@@ -65,8 +66,8 @@ Item reduced(Item item, const Result& result, Reveal reveal) {
   return item;
 }
 
-Scene reduced(const Scene& scene, Reveal reveal, bool pictures) {
-  Scene view;
+results::Scene reduced(const results::Scene& scene, Reveal reveal, bool pictures) {
+  results::Scene view;
   view.name = scene.name;
   view.isPublic = scene.isPublic;
   view.outcome = scene.outcome;
@@ -81,16 +82,17 @@ Scene reduced(const Scene& scene, Reveal reveal, bool pictures) {
 // The evidence of a failed run may quote the program. It stays when it comes from before any scene
 // was drawn, or when the same happened in the public scene and no hidden scene's evidence stands in
 // it.
-bool detailIsPublic(const Result& result) {
-  if (result.outcome == Outcome::graded || result.outcome == Outcome::buildFailed) return true;
+bool detailIsPublic(const results::Result& result) {
+  if (result.outcome == results::Outcome::graded || result.outcome == results::Outcome::buildFailed)
+    return true;
   bool seenInPublic = result.scenes.empty();
   std::string shown;
-  for (const Scene& scene : result.scenes) {
+  for (const results::Scene& scene : result.scenes) {
     if (!scene.isPublic) continue;
     seenInPublic = seenInPublic || scene.outcome == name(result.outcome);
     shown += scene.detail;
   }
-  const bool quotesHidden = std::ranges::any_of(result.scenes, [&](const Scene& scene) {
+  const bool quotesHidden = std::ranges::any_of(result.scenes, [&](const results::Scene& scene) {
     return !scene.isPublic && !scene.detail.empty() &&
            result.detail.find(scene.detail) != std::string::npos &&
            shown.find(scene.detail) == std::string::npos;
@@ -98,14 +100,14 @@ bool detailIsPublic(const Result& result) {
   return seenInPublic && !quotesHidden;
 }
 
-bool namesHiddenScene(const Result& result, std::string_view text) {
-  return std::any_of(result.scenes.begin(), result.scenes.end(), [&](const Scene& scene) {
+bool namesHiddenScene(const results::Result& result, std::string_view text) {
+  return std::any_of(result.scenes.begin(), result.scenes.end(), [&](const results::Scene& scene) {
     return !scene.isPublic && !scene.name.empty() &&
            text.find(scene.name) != std::string_view::npos;
   });
 }
 
-std::string shownDetail(const Result& result, Reveal reveal) {
+std::string shownDetail(const results::Result& result, Reveal reveal) {
   if (reveal == Reveal::details) return result.detail;
   const bool named = reveal == Reveal::none && namesHiddenScene(result, result.detail);
   if (named || !detailIsPublic(result)) return gg::say("This happened in a hidden scene.");
@@ -147,9 +149,9 @@ std::string withholdPositions(std::string_view message) {
   return out;
 }
 
-Result studentView(const Result& result, Reveal reveal, bool pictures) {
+results::Result studentView(const results::Result& result, Reveal reveal, bool pictures) {
   // Field by field: what is added to Result later stays hidden until someone decides otherwise.
-  Result view;
+  results::Result view;
   view.assignment = result.assignment;
   view.part = result.part;
   view.title = result.title;
@@ -159,12 +161,13 @@ Result studentView(const Result& result, Reveal reveal, bool pictures) {
   view.score = result.score;
   view.bonus = result.bonus;
   view.maxScore = result.maxScore;
-  for (const Item& item : result.items) view.items.push_back(reduced(item, result, reveal));
+  for (const results::Item& item : result.items)
+    view.items.push_back(reduced(item, result, reveal));
   // Without a scene it says no more than the outcome.
-  for (const Diagnosis& diagnosis : result.diagnoses)
+  for (const results::Diagnosis& diagnosis : result.diagnoses)
     if (reveal != Reveal::none || diagnosis.scene.empty())
       view.diagnoses.push_back(reduced(diagnosis, result, reveal));
-  for (const Scene& scene : result.scenes)
+  for (const results::Scene& scene : result.scenes)
     if (scene.isPublic || reveal != Reveal::none)
       view.scenes.push_back(reduced(scene, reveal, pictures));
   view.compilerOutput = result.compilerOutput;

@@ -2,7 +2,7 @@
 /// \file
 /// What a student may see of the hidden scenes.
 
-#include "report/results.hpp"
+#include "results/results.hpp"
 
 #include <optional>
 #include <string_view>
@@ -28,7 +28,7 @@ std::optional<Reveal> parseReveal(std::string_view word);
 /// scenes. Below `details` also gone: all text of a hidden run that the program can write into (GL
 /// messages, evidence), because it can read the scene.
 /// \param pictures false leaves out all frames: copying them takes most of the time
-Result studentView(const Result& result, Reveal reveal, bool pictures = true);
+results::Result studentView(const results::Result& result, Reveal reveal, bool pictures = true);
 
 /// Replaces bracketed coordinates, such as `(212, 340)` or `[0.1,2]`, by `(position withheld)`.
 std::string withholdPositions(std::string_view message);

@@ -15,41 +15,45 @@ namespace {
 
 constexpr double kEpsilon = 1e-6; // points are at most hundreds; less is rounding
 
-bool countsForScore(const Item& item) {
-  return item.kind != ItemKind::bonus;
+bool countsForScore(const results::Item& item) {
+  return item.kind != results::ItemKind::bonus;
 }
 
 } // namespace
 
-Standing standing(const Item& item) {
+Standing standing(const results::Item& item) {
   if (!item.judged) return Standing::unjudged;
   const double missing = lost(item);
   if (missing <= kEpsilon) return Standing::full;
   return missing >= item.points - kEpsilon ? Standing::none : Standing::part;
 }
 
-double lost(const Item& item) {
-  const double missing = item.kind == ItemKind::keep ? -item.earned : item.points - item.earned;
+double lost(const results::Item& item) {
+  const double missing =
+      item.kind == results::ItemKind::keep ? -item.earned : item.points - item.earned;
   return std::max(0.0, missing);
 }
 
-bool scored(Outcome outcome) {
-  return outcome == Outcome::graded || outcome == Outcome::glError;
+bool scored(results::Outcome outcome) {
+  return outcome == results::Outcome::graded || outcome == results::Outcome::glError;
 }
 
-bool perfect(const Result& result) {
+bool perfect(const results::Result& result) {
   return scored(result.outcome) && !result.items.empty() &&
-         std::all_of(result.items.begin(), result.items.end(), [](const Item& item) {
+         std::all_of(result.items.begin(), result.items.end(), [](const results::Item& item) {
            return !countsForScore(item) || standing(item) == Standing::full;
          });
 }
 
-std::string headline(const Result& result) {
-  if (result.outcome != Outcome::graded) return std::string(explanation(result.outcome));
+std::string headline(const results::Result& result) {
+  // Nothing was compiled, or the compiler never came to an end.
+  if (result.outcome == results::Outcome::buildFailed && result.compilerOutput.empty())
+    return say("There is no program to run, so nothing was drawn.");
+  if (result.outcome != results::Outcome::graded) return std::string(explanation(result.outcome));
   if (perfect(result)) return say("Complete: every item holds.");
   const auto total = std::count_if(result.items.begin(), result.items.end(), countsForScore);
   const auto incomplete =
-      std::count_if(result.items.begin(), result.items.end(), [](const Item& i) {
+      std::count_if(result.items.begin(), result.items.end(), [](const results::Item& i) {
         return countsForScore(i) && standing(i) != Standing::full;
       });
   if (total == 0) return std::string(explanation(result.outcome));
@@ -57,7 +61,7 @@ std::string headline(const Result& result) {
   return say("{} of {} items lost points.", incomplete, total);
 }
 
-std::string carriedText(const Item& item) {
+std::string carriedText(const results::Item& item) {
   if (item.carried.empty()) return "";
   std::string list = sanitizeLine(item.carried[0]);
   for (std::size_t i = 1; i < item.carried.size(); ++i) {
@@ -67,7 +71,7 @@ std::string carriedText(const Item& item) {
   return say("Judged with the reference's {} in place of yours.", list);
 }
 
-std::string whatIsWrong(const Diagnosis& diagnosis) {
+std::string whatIsWrong(const results::Diagnosis& diagnosis) {
   std::string text = sanitizeLine(diagnosis.picture);
   if (text.empty()) return text;
   if (!diagnosis.amount.empty()) text = say("{}: {}", text, sanitizeLine(diagnosis.amount));
@@ -76,24 +80,25 @@ std::string whatIsWrong(const Diagnosis& diagnosis) {
   return text;
 }
 
-std::vector<const Item*> worstItems(const Result& result, std::size_t count) {
-  std::vector<const Item*> worst;
+std::vector<const results::Item*> worstItems(const results::Result& result, std::size_t count) {
+  std::vector<const results::Item*> worst;
   if (!scored(result.outcome)) return worst;
-  for (const Item& item : result.items)
+  for (const results::Item& item : result.items)
     if (countsForScore(item) && lost(item) > kEpsilon) worst.push_back(&item);
-  std::stable_sort(worst.begin(), worst.end(),
-                   [](const Item* a, const Item* b) { return lost(*a) > lost(*b); });
+  std::stable_sort(worst.begin(), worst.end(), [](const results::Item* a, const results::Item* b) {
+    return lost(*a) > lost(*b);
+  });
   if (worst.size() > count) worst.resize(count);
   return worst;
 }
 
-const Scene* worstScene(const Result& result, const Item& item) {
-  const Scene* worst = nullptr;
+const results::Scene* worstScene(const results::Result& result, const results::Item& item) {
+  const results::Scene* worst = nullptr;
   double least = 1 - kEpsilon;
   for (const auto& [name, credit] : item.credits) {
     if (credit >= least) continue;
     const auto scene = std::find_if(result.scenes.begin(), result.scenes.end(),
-                                    [&](const Scene& s) { return s.name == name; });
+                                    [&](const results::Scene& s) { return s.name == name; });
     if (scene == result.scenes.end()) continue;
     worst = &*scene;
     least = credit;
@@ -101,7 +106,7 @@ const Scene* worstScene(const Result& result, const Item& item) {
   return worst;
 }
 
-FrameIndex worstFrame(const Result& result) {
+FrameIndex worstFrame(const results::Result& result) {
   FrameIndex worst;
   double share = -1;
   for (std::size_t s = 0; s < result.scenes.size(); ++s) {
@@ -117,9 +122,9 @@ FrameIndex worstFrame(const Result& result) {
 
 namespace {
 
-std::string reasonOf(const Result& result) {
+std::string reasonOf(const results::Result& result) {
   if (!scored(result.outcome)) return sanitizeLine(result.detail);
-  for (const Diagnosis& diagnosis : result.diagnoses)
+  for (const results::Diagnosis& diagnosis : result.diagnoses)
     if (diagnosis.confidence > 0) return sanitizeLine(diagnosis.text);
   if (!result.detail.empty()) return sanitizeLine(result.detail);
   const auto worst = worstItems(result, 1);
@@ -131,7 +136,7 @@ std::string reasonOf(const Result& result) {
 
 } // namespace
 
-Summary summarize(const Result& result, const std::string& link) {
+Summary summarize(const results::Result& result, const std::string& link) {
   Summary summary{sanitizeLine(result.submission),
                   result.outcome,
                   perfect(result),
@@ -149,27 +154,27 @@ Summary summarize(const Result& result, const std::string& link) {
 }
 
 std::string_view stateOf(const Summary& summary) {
-  if (summary.outcome == Outcome::notGradable) return "unjudged";
+  if (summary.outcome == results::Outcome::notGradable) return "unjudged";
   if (summary.perfect) return "full";
   return scored(summary.outcome) && summary.score > 0 ? "part" : "none";
 }
 
-std::string pointsText(const Item& item) {
+std::string pointsText(const results::Item& item) {
   if (!item.judged) return say("not judged");
   switch (item.kind) {
-  case ItemKind::keep:
+  case results::ItemKind::keep:
     return lost(item) <= kEpsilon ? say("kept") : "−" + number(lost(item));
-  case ItemKind::bonus:
+  case results::ItemKind::bonus:
     return fmt::format("+{} / {}", number(item.earned), number(item.points));
-  case ItemKind::gain:
+  case results::ItemKind::gain:
     break;
   }
   return fmt::format("{} / {}", number(item.earned), number(item.points));
 }
 
-double totalSeconds(const Result& result) {
+double totalSeconds(const results::Result& result) {
   double sum = 0;
-  for (const Timing& timing : result.timings) {
+  for (const results::Timing& timing : result.timings) {
     if (timing.what == "total") return timing.seconds;
     sum += timing.seconds;
   }

@@ -111,8 +111,8 @@ struct Mark {
   std::string_view sign, colour;
 };
 
-Mark markOf(const Item& item) {
-  const bool bonus = item.kind == ItemKind::bonus;
+Mark markOf(const results::Item& item) {
+  const bool bonus = item.kind == results::ItemKind::bonus;
   switch (standing(item)) {
   case Standing::full:
     return {"✓", kGreen};
@@ -127,7 +127,7 @@ Mark markOf(const Item& item) {
 }
 
 std::string scoreText(const Summary& result) {
-  if (result.outcome == Outcome::notGradable) return say("no score");
+  if (result.outcome == results::Outcome::notGradable) return say("no score");
   std::string text = fmt::format("{} / {}", number(result.score), number(result.maxScore));
   if (result.bonus > 0) text += say(" + {} bonus", number(result.bonus));
   return text;
@@ -138,10 +138,10 @@ std::string_view scoreColour(const Summary& result) {
   return state == "full" ? kGreen : state == "part" ? kYellow : kRed;
 }
 
-std::string itemLines(const Item& item, const TerminalStyle& style, std::size_t width) {
+std::string itemLines(const results::Item& item, const TerminalStyle& style, std::size_t width) {
   const Mark mark = markOf(item);
   std::string title = sanitizeLine(item.title);
-  if (item.kind == ItemKind::bonus) title = say("Bonus: {}", title);
+  if (item.kind == results::ItemKind::bonus) title = say("Bonus: {}", title);
   if (item.beyondLecture) title += say(" (beyond the lecture)");
   std::string text = fmt::format("{} {}  {}\n", paint(style, mark.colour, mark.sign),
                                  padLeft(pointsText(item), 12), fit(title, width - 16));
@@ -158,7 +158,7 @@ std::string itemLines(const Item& item, const TerminalStyle& style, std::size_t 
   return text;
 }
 
-std::string diagnosisLines(const Diagnosis& diagnosis, std::size_t width) {
+std::string diagnosisLines(const results::Diagnosis& diagnosis, std::size_t width) {
   std::string text = wrap(sanitizeLine(diagnosis.text, 800), 2, width);
   if (const std::string seen = whatIsWrong(diagnosis); !seen.empty())
     text += wrap(say("first wrong: {}", seen), 2, width);
@@ -168,7 +168,7 @@ std::string diagnosisLines(const Diagnosis& diagnosis, std::size_t width) {
   return text;
 }
 
-std::string diagnosisHeading(const Result& result, const Diagnosis& diagnosis) {
+std::string diagnosisHeading(const results::Result& result, const results::Diagnosis& diagnosis) {
   std::string text = result.diagnoses.size() > 1
                          ? say("Diagnosis of {}", sanitizeLine(diagnosis.part))
                          : say("Diagnosis");
@@ -179,7 +179,7 @@ std::string diagnosisHeading(const Result& result, const Diagnosis& diagnosis) {
 
 } // namespace
 
-std::string terminalTable(const Result& result, const TerminalStyle& style) {
+std::string terminalTable(const results::Result& result, const TerminalStyle& style) {
   const std::size_t width = std::max<std::size_t>(style.width, 60);
   const Summary summary = summarize(result);
   std::string text =
@@ -189,11 +189,11 @@ std::string terminalTable(const Result& result, const TerminalStyle& style) {
   text += wrap(sanitizeLine(result.detail), 0, width);
   if (result.sandbox == "none")
     text += paint(style, kYellow, say("The program ran without a sandbox.")) + "\n";
-  for (const Diagnosis& diagnosis : result.diagnoses)
+  for (const results::Diagnosis& diagnosis : result.diagnoses)
     text += paint(style, kBold, diagnosisHeading(result, diagnosis)) + "\n" +
             diagnosisLines(diagnosis, width);
   text += "\n";
-  for (const Item& item : result.items) text += itemLines(item, style, width);
+  for (const results::Item& item : result.items) text += itemLines(item, style, width);
   for (const std::string& file : result.unusedFiles)
     text += wrap(say("not used: {}", sanitizeLine(file)), 0, width);
   return text;

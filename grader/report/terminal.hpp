@@ -17,7 +17,7 @@ struct TerminalStyle {
 
 /// One result: how it ended, the score, and each item with its points, message, cause and step.
 /// Everything is the instructor's; give it a studentView() for a student.
-std::string terminalTable(const Result& result, const TerminalStyle& style = {});
+std::string terminalTable(const results::Result& result, const TerminalStyle& style = {});
 
 /// Many results, a line each: submission, outcome, score, and what lost most.
 std::string terminalTable(std::span<const Summary> results, const TerminalStyle& style = {});

@@ -206,7 +206,7 @@ std::string percent(double share) {
   return number(value, 1) + "%";
 }
 
-std::string words(std::string_view name) {
+std::string spaced(std::string_view name) {
   std::string text(name);
   std::replace(text.begin(), text.end(), '_', ' ');
   return text;

@@ -42,7 +42,7 @@ std::string number(double value, int decimals = 2);
 std::string percent(double share);
 
 /// "build failed" for "build_failed".
-std::string words(std::string_view name);
+std::string spaced(std::string_view name);
 
 /// Columns that valid UTF-8 takes on a terminal: 2 for East Asian wide characters, 0 for combining
 /// ones.

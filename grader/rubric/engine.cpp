@@ -48,7 +48,7 @@ public:
 
   void TestBody() override {
     const Decision decision = decide(item_, judgeOf(item_.id), evidence_, floors_);
-    const bool keep = item_.kind == report::ItemKind::keep;
+    const bool keep = item_.kind == results::ItemKind::keep;
     json line = lineOf(item_, decision);
     line["outputs"] = outputsOf(item_, items_, decision, evidence_);
     const double points = line.at("earned");
@@ -104,8 +104,8 @@ const Judge& judgeOf(const std::string& item) {
   return found->second;
 }
 
-double pointsOf(report::ItemKind kind, double points, double credit) {
-  const bool keep = kind == report::ItemKind::keep;
+double pointsOf(results::ItemKind kind, double points, double credit) {
+  const bool keep = kind == results::ItemKind::keep;
   return std::round((keep ? credit - 1 : credit) * points * 10) / 10;
 }
 
@@ -151,7 +151,7 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
     std::string message;
     if (scene.student.size() < scene.frameCount) {
       // What never came harmed nothing; the gains are lost already.
-      if (item.kind == report::ItemKind::keep) continue;
+      if (item.kind == results::ItemKind::keep) continue;
       message = gg::say("{} of {} frames came", scene.student.size(), scene.frameCount);
     } else if (const auto odd = std::mismatch(scene.reference.begin(), scene.reference.end(),
                                               scene.student.begin(), sameSize);
@@ -164,7 +164,7 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
       message = verdict.message;
       credit = verdict.quality;
       // Nothing is left to scale where the student is as good as the reference.
-      if (item.kind != report::ItemKind::keep && verdict.quality < 1) {
+      if (item.kind != results::ItemKind::keep && verdict.quality < 1) {
         const double floor = floorOf(scene);
         // Where the stub is as good as the reference, the scene can't show the item.
         if (floor > 0.99) continue;
@@ -178,7 +178,7 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
       decision.message = fmt::format("{}: {}", scene.name, message);
     decision.credit = std::min(decision.credit, credit);
   }
-  if (!any && item.kind == report::ItemKind::keep) {
+  if (!any && item.kind == results::ItemKind::keep) {
     decision.message = gg::say("no scene has all its frames");
   } else if (!any && !evidence.again.empty()) {
     decision.credit = 0; // the first frames alone may not show it

@@ -85,7 +85,7 @@ void warm(const ItemDeclaration& item, const Judge& judge, const Evidence& evide
           Floors& floors);
 
 /// Points earned, to a tenth: what a person can check by hand. Of a keep item: 0 or less.
-double pointsOf(report::ItemKind kind, double points, double credit);
+double pointsOf(results::ItemKind kind, double points, double credit);
 
 /// Where the passes of an item that failed have left their output, where another of `items` builds
 /// on it: a list of `{"scene": index, "pairs": [[pass, attachment, the reference's pass, its

@@ -188,10 +188,10 @@ TEST(DeferredAccuracy, TheFigureComposesWhatForwardShadingGives) {
 }
 
 /// Of the figure against the truth that sums up light over directions.
-truth::Answer ask(const json& patch, bool visibility, double time = 7) {
+truth::Judgement ask(const json& patch, bool visibility, double time = 7) {
   const json scene = sceneOf("figure", patch);
   const extremes::Drawn drawn = extremes::draw("deferred", scene, {time});
-  const truth::Answer answer = truth::judgeOf("figure")(
+  const truth::Judgement answer = truth::judgeOf("figure")(
       {scene, time, drawn.frames.at(0), &drawn.trace, {{"visibility", visibility}}});
   std::cout << patch.dump() << (visibility ? ", what is hidden is dark" : "") << ": mean error "
             << answer.errors.at(0).value / kStep << " of 255\n";

@@ -77,7 +77,7 @@ Image compositionOf(const truth::Rendered& rendered) {
 ///   mean error     mean of |found - wanted|
 ///   largest error
 /// Left out are pixels whose eight neighbours are not all on the same smooth piece of a surface.
-truth::Answer judged(const Image& found, const Wanted& wanted) {
+truth::Judgement judged(const Image& found, const Wanted& wanted) {
   double sum = 0, largest = 0;
   std::size_t count = 0;
   for (std::size_t i = 0; i < found.values().size(); ++i) {
@@ -85,7 +85,7 @@ truth::Answer judged(const Image& found, const Wanted& wanted) {
     const double off = std::abs(double(found.values()[i]) - double(wanted.picture.values()[i]));
     sum += off, largest = std::max(largest, off), ++count;
   }
-  truth::Answer answer;
+  truth::Judgement answer;
   answer.errors = {{"mean error", count > 0 ? sum / double(count) : 0}, {"largest error", largest}};
   answer.truth = wanted.picture;
   answer.rendered = found;

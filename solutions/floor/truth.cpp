@@ -79,9 +79,9 @@ double rmse(const Image& found, const Image& wanted, const Mask& where) {
 ///   edge RMSE        over all pixels of the floor
 /// Light without a reflection and shadows are the program's own, so their errors count, too; ask in
 /// a scene without shadows. A pixel right on the line between two tiles counts nowhere.
-truth::Answer judge(const truth::Rendered& rendered) {
+truth::Judgement judge(const truth::Rendered& rendered) {
   const auto mirror = kept<Mirror>(rendered, trace);
-  truth::Answer answer;
+  truth::Judgement answer;
   answer.errors = {{"reflection RMSE", rmse(rendered.window, mirror->picture, mirror->inner)},
                    {"edge RMSE", rmse(rendered.window, mirror->picture, mirror->floor)}};
   answer.truth = mirror->picture;

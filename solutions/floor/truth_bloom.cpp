@@ -61,7 +61,7 @@ Light composite(const Light& scene, const Light& sum, int kind, truth::Edge edge
 ///       channels; and how far the sums are apart.
 ///   window RMSE
 ///       The window against the recorded scene and that sum, 0 to 1 as displayed.
-truth::Answer judge(const truth::Rendered& rendered) {
+truth::Judgement judge(const truth::Rendered& rendered) {
   if (!rendered.trace)
     throw std::invalid_argument("the bloom's truth needs the passes that were recorded");
   const floor_rubric::Pyramid recorded = floor_rubric::ownPyramid(*rendered.trace);
@@ -83,7 +83,7 @@ truth::Answer judge(const truth::Rendered& rendered) {
   const auto light = kept<Light>(rendered, sceneLight);
   const Light ideal = gaussianSum(brightPass(*light, threshold), kLevels, kind, edge);
 
-  truth::Answer answer;
+  truth::Judgement answer;
   answer.truth = displayed(composite(scene, wanted, kind, edge));
   answer.rendered = firstChannels(rendered.window, 3);
   answer.difference = shownDifference(answer.rendered, answer.truth);

@@ -157,7 +157,7 @@ struct Counts {
 /// against the truth's. Errors, of the same pixels as below:
 ///   soft RMSE        root of the mean square difference, over all channels
 ///   penumbra RMSE    the same where the truth lies between light and shadow
-truth::Answer judgeSoft(const truth::Rendered& rendered, const Shadows& shadows) {
+truth::Judgement judgeSoft(const truth::Rendered& rendered, const Shadows& shadows) {
   double squares = 0, count = 0, innerSquares = 0, innerCount = 0;
   Image difference(rendered.window.width(), rendered.window.height(), 3);
   for (std::size_t i = 0; i < shadows.points.size(); ++i) {
@@ -193,7 +193,7 @@ truth::Answer judgeSoft(const truth::Rendered& rendered, const Shadows& shadows)
 /// surfaces turned from the light, pixels whose two colours are too close, one pixel at
 /// silhouettes. The truth's shadows are hard: a soft edge is half wrong. For a round light see
 /// judgeSoft.
-truth::Answer judge(const truth::Rendered& rendered) {
+truth::Judgement judge(const truth::Rendered& rendered) {
   const auto shadows = kept<Shadows>(rendered, trace);
   if (lightRadius(rendered) > 0) return judgeSoft(rendered, *shadows);
   const json& quality = rendered.scene.at("quality");
@@ -221,7 +221,7 @@ truth::Answer judge(const truth::Rendered& rendered) {
   }
   const double falseShadow = Counts::share(inner.falseShadow, inner.lit);
   const double falseLight = Counts::share(inner.falseLight, inner.dark);
-  truth::Answer answer;
+  truth::Judgement answer;
   answer.errors = {
       {"wrong pixels", Counts::share(all.falseShadow + all.falseLight, all.lit + all.dark)},
       {"false shadow or light", std::max(falseShadow, falseLight)},

@@ -14,9 +14,9 @@ namespace {
 /// and all in shadow or all lit; surfaces turned from the lamp; pixels whose two colours are too
 /// close to be told apart. Shadows are hard and as fine as the window here, so that nothing else is
 /// forgiven: a right picture has no wrong pixel.
-truth::Answer judge(const truth::Rendered& rendered) {
+truth::Judgement judge(const truth::Rendered& rendered) {
   const auto shadows = truth::kept<Shadows>(rendered, shadowsOf);
-  truth::Answer answer;
+  truth::Judgement answer;
   const Counts counts = count(*shadows, rendered.window, &answer.difference);
   const auto share = [](std::size_t wrong, std::size_t of) {
     return of > 0 ? double(wrong) / double(of) : 0;

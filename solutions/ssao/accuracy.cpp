@@ -21,12 +21,12 @@ namespace {
 class SsaoTruth : public testing::Test {
 protected:
   /// Of the occlusion alone, in a small window.
-  truth::Answer ask(const json& quality, const json& change = json::object(), double time = 3) {
+  truth::Judgement ask(const json& quality, const json& change = json::object(), double time = 3) {
     json patch = {{"size", {240, 180}}, {"debug", {{"picture", 3}}}, {"quality", quality}};
     patch.merge_patch(change);
     const json scene = extremes::sceneOf("ssao", {"ssao"}, patch);
     const extremes::Drawn drawn = extremes::draw("ssao", scene, {time});
-    const truth::Answer answer =
+    const truth::Judgement answer =
         truth::judgeOf("ssao")({scene, time, drawn.frames.at(0), &drawn.trace});
     std::cout << quality.dump() << " " << change.dump();
     for (const truth::Error& error : answer.errors) {
@@ -68,7 +68,7 @@ TEST(SsaoTruthItself, IsRightBeforeAWall) {
         {{"debug", {{"picture", 3}}},
          {"ao", {{"radius", radius}}},
          {"camera", {{"position", {point.x, 0.5, point.z}}, {"target", {point.x, 0, point.z}}}}});
-    const truth::Answer answer = truth::judgeOf("ssao")({scene, 0, Image(1, 1, 4), nullptr});
+    const truth::Judgement answer = truth::judgeOf("ssao")({scene, 0, Image(1, 1, 4), nullptr});
     EXPECT_NEAR(answer.truth.at(0, 0), x < 1 ? openBeforeAWall(x) : 1, 0.005) << x;
   }
 }
@@ -104,7 +104,7 @@ double errorOfNothing(const Image& truth) {
 TEST_F(SsaoTruth, AccurateIsWithinAHalfTenth) {
   for (const View& view : kViews) {
     std::cout << view.name << ": ";
-    const truth::Answer answer = ask("accurate", view.change);
+    const truth::Judgement answer = ask("accurate", view.change);
     EXPECT_LE(answer.errors.at(0).value, view.limit) << view.name;
     EXPECT_GT(errorOfNothing(answer.truth), 0.2) << view.name;
     RecordProperty(view.name, std::to_string(answer.errors.at(0).value));
@@ -141,7 +141,7 @@ TEST_F(SsaoTruth, WhereEverythingIsSeenTheMarchFindsWhatRaysDo) {
       {"camera",
        {{"position", {-0.03, 0.6, -2.27}}, {"target", {0.08, 0.08, -1.12}}, {"fov", 0.25}}},
       {"ao", {{"radius", 0.2}}}};
-  const truth::Answer answer = ask(settings(1, 256, 2), corner, 0);
+  const truth::Judgement answer = ask(settings(1, 256, 2), corner, 0);
   EXPECT_LT(answer.errors.at(5).value, 0.03) << "what is not seen";
   EXPECT_LT(answer.errors.at(4).value, 0.015) << "off what is seen";
   EXPECT_GT(ask(settings(1, 256, 2)).errors.at(5).value, 0.05) << "what is not seen";

@@ -196,7 +196,7 @@ private:
 ///   mean too light               max(found - wanted, 0)
 ///   off what is seen             |found - marched|: what more or better samples could mend
 ///   what is not seen             |marched - wanted|: what they couldn't, whatever the setting
-truth::Answer judge(const truth::Rendered& rendered) {
+truth::Judgement judge(const truth::Rendered& rendered) {
   if (rendered.scene.at("debug").at("picture").get<int>() != 3)
     throw std::invalid_argument(
         "the occlusion's truth looks at the occlusion: set debug.picture to 3");
@@ -222,7 +222,7 @@ truth::Answer judge(const truth::Rendered& rendered) {
       // Red: too dark, blue: too light; four times as strong.
       difference.at(x, y, apart < 0 ? 0 : 2) = std::min(4 * float(std::abs(apart)), 1.0f);
     }
-  truth::Answer answer;
+  truth::Judgement answer;
   answer.errors = {{"mean error where it is dark", dark.value()},
                    {"mean error", all.value()},
                    {"mean too dark", tooDark.value()},

@@ -134,7 +134,7 @@ grading::Rendering render(const Way& way, const json& scene, unsigned frames,
   };
   grading::Rendering rendering = run();
   // Neither solution hangs: the machine was busy for a while.
-  if (rendering.happened.outcome == report::Outcome::timeout) rendering = run();
+  if (rendering.happened.outcome == results::Outcome::timeout) rendering = run();
   if (!rendering.happened.ok())
     throw std::runtime_error(way.name + ": " + rendering.happened.detail + "\n" +
                              rendering.happened.output);
@@ -158,7 +158,7 @@ std::vector<double> frames(const Way& way, const json& scene) {
 double wrongPixels(const Way& way, const json& scene) {
   const grading::Rendering rendering = render(way, scene, 1, {});
   const channel::CapturedFrame& frame = rendering.capture.frames.at(0);
-  const truth::Answer answer = truth::judgeOf(way.part)(
+  const truth::Judgement answer = truth::judgeOf(way.part)(
       {scene, 0, Image::fromBytes(frame.pixels, int(frame.width), int(frame.height))});
   if (answer.errors.at(0).name != "wrong pixels") throw std::logic_error("another error is first");
   return answer.errors.at(0).value;

@@ -83,10 +83,10 @@ protected:
     for (const auto& [name, score] : {std::pair("Émile", 100.0), std::pair("student10", 60.0),
                                       std::pair("student2", 7.5), std::pair("Zoë", 60.0)})
       page.rows.push_back(samples::student(name, score));
-    page.rows[2].outcome = Outcome::crash;
+    page.rows[2].outcome = results::Outcome::crash;
     page.rows[2].reason = "Signal 11 (SIGSEGV) in the first frame.";
     page.rows.push_back(samples::student("学生1"));
-    page.rows[4].outcome = Outcome::notGradable;
+    page.rows[4].outcome = results::Outcome::notGradable;
     return page;
   }
 };

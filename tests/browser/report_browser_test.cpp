@@ -75,7 +75,7 @@ TEST_F(Browser, SliderStandsBetweenPixelsAndFollowsFrameAndZoom) {
 }
 
 TEST_F(Browser, PointingAtAPixelReadsBothColours) {
-  Result result = samples::partial(64, 48);
+  results::Result result = samples::partial(64, 48);
   result.scenes[0].frames[0].student = Image(64, 48, 4, 1);
   result.scenes[0].frames[0].student.at(10, 5, 1) = 128.0f / 255;
   result.scenes[0].frames[0].reference = Image(64, 48, 4, 0);

@@ -30,7 +30,7 @@ grading::Rendering render(const std::string& id, const json& scene,
   };
   grading::Rendering rendering = run();
   // No solution hangs: the machine was busy for a while.
-  if (rendering.happened.outcome == report::Outcome::timeout) rendering = run();
+  if (rendering.happened.outcome == results::Outcome::timeout) rendering = run();
   return rendering;
 }
 
@@ -114,7 +114,7 @@ Drawn draw(const std::string& assignment, const json& scene, const std::vector<d
            const testing::Matcher<std::string>& prints) {
   grading::Rendering rendering = render(assignment, scene, times, replacements);
   const channel::Capture& capture = rendering.capture;
-  EXPECT_EQ(rendering.happened.outcome, report::Outcome::graded) << rendering.happened.detail;
+  EXPECT_EQ(rendering.happened.outcome, results::Outcome::graded) << rendering.happened.detail;
   for (const channel::CapturedMessage& message : capture.messages)
     if (message.kind != channel::MessageKind::capture) ADD_FAILURE() << message.text;
   EXPECT_THAT(rendering.happened.output, prints);

@@ -17,11 +17,11 @@ namespace {
 /// What a part's truth says about the reference in the part's scene with `change`.
 class Truth : public testing::Test {
 protected:
-  truth::Answer ask(const std::string& part, const json& change = json::object(),
+  truth::Judgement ask(const std::string& part, const json& change = json::object(),
                     double time = 0.4) {
     const json scene = extremes::sceneOf("floor", {part}, change);
     const extremes::Drawn drawn = extremes::draw("floor", scene, {time});
-    const truth::Answer answer =
+    const truth::Judgement answer =
         truth::judgeOf(part)({scene, time, drawn.frames.at(0), &drawn.trace});
     for (const truth::Error& error : answer.errors) {
       std::cout << part << " " << change.dump() << " at " << time << " s: " << error.name << " "
@@ -31,7 +31,7 @@ protected:
     }
     return answer;
   }
-  static double error(const truth::Answer& answer, const std::string& name) {
+  static double error(const truth::Judgement& answer, const std::string& name) {
     for (const truth::Error& one : answer.errors)
       if (one.name == name) return one.value;
     ADD_FAILURE() << "no error is named " << name;
@@ -41,14 +41,14 @@ protected:
 
 TEST_F(Truth, MirrorIsWithinOnePercent) {
   for (const double time : {0.0, 0.4, 1.3}) {
-    const truth::Answer answer = ask("mirror", json::object(), time);
+    const truth::Judgement answer = ask("mirror", json::object(), time);
     EXPECT_LE(error(answer, "reflection RMSE"), 0.01);
   }
 }
 
 TEST_F(Truth, ShadowsAreWithinHalfAPercent) {
   for (const double time : {0.0, 0.4, 1.3}) {
-    const truth::Answer answer = ask("shadow", json::object(), time);
+    const truth::Judgement answer = ask("shadow", json::object(), time);
     EXPECT_LT(error(answer, "false shadow"), 0.005);
     EXPECT_LT(error(answer, "false light"), 0.005);
   }
@@ -56,7 +56,7 @@ TEST_F(Truth, ShadowsAreWithinHalfAPercent) {
 
 TEST_F(Truth, ShadowsOfGrazingLightAreWithinHalfAPercent) {
   for (const double time : {0.0, 0.4, 1.3}) {
-    const truth::Answer answer = ask("shadow", {{"light", {{"position", {6, 1.7, 2}}}}}, time);
+    const truth::Judgement answer = ask("shadow", {{"light", {{"position", {6, 1.7, 2}}}}}, time);
     EXPECT_LT(error(answer, "false shadow"), 0.005);
     EXPECT_LT(error(answer, "false light"), 0.005);
   }
@@ -64,7 +64,7 @@ TEST_F(Truth, ShadowsOfGrazingLightAreWithinHalfAPercent) {
 
 TEST_F(Truth, BloomIsWithinOnePercent) {
   for (const double time : {0.0, 0.4}) {
-    const truth::Answer answer = ask("bloom", json::object(), time);
+    const truth::Judgement answer = ask("bloom", json::object(), time);
     EXPECT_LE(error(answer, "bloom relative error"), 0.01);
     EXPECT_LE(error(answer, "energy"), 0.01);
   }
@@ -115,7 +115,7 @@ TEST_F(Truth, FloatsHoldTheBloomOfEveryFilterExactly) {
       const json change = {
           {"size", {165, 91}},
           {"quality", {{"bloom_filter", filter}, {"bloom_edge", edge}, {"bloom_format", 3}}}};
-      const truth::Answer answer = ask("bloom", change);
+      const truth::Judgement answer = ask("bloom", change);
       EXPECT_LE(error(answer, "bloom relative error"), 1e-4);
       EXPECT_LE(error(answer, "window RMSE"), 0.002);
     }

@@ -31,10 +31,10 @@ protected:
          "a tree"});
     const std::string launcher =
         (kSource / "tests/grading/reuse_object.sh").string() + ';' + kBuild.string();
-    run({GGRADE_CMAKE, "-S", tree_, "-B", build_, "-G", "Ninja", "-DGGRADE_LEVEL=grader",
+    run({GGRADE_CMAKE, "-S", tree_, "-B", build_, "-G", "Ninja", "-DGGRADE_LEVEL=author",
          "-DCMAKE_BUILD_TYPE=" GGRADE_BUILD_TYPE, "-DCMAKE_CXX_COMPILER_LAUNCHER=" + launcher,
          "-DCMAKE_C_COMPILER_LAUNCHER=" + launcher});
-    build({"ggrade_tool"});
+    build({"ggrade_author"});
     ASSERT_FALSE(HasFailure()) << "the copy is not as this tree";
   }
   Ended run(const Arguments& words) {
@@ -87,7 +87,7 @@ TEST_F(NewAssignment, IsBuiltGradedAndCalibratedAndNoOtherFileChanges) {
   EXPECT_THAT(again.errors, HasSubstr("ID \"test_lamp\": there is such an assignment"));
 
   // Nobody tells the build of it.
-  build({"ggrade_tool"});
+  build({"ggrade_author"});
   EXPECT_THAT(build({"-t", "query", "test_lamp", "test_lamp_solution"}),
               HasSubstr("test_lamp_solution"));
   EXPECT_THAT(

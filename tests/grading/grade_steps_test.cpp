@@ -29,7 +29,7 @@ const std::map<std::string, Way> kWays = {
     {"shadow", {{0, 0, 0, 0, 100, 100, 100}, {1, 2, 3}}},
     {"bloom", {{0, 0, 10, 35, 55, 70, 100}, {1, 3, 4, 5}}}};
 
-double pointsOf(const ggrade::Part& part, ggrade::report::ItemKind kind) {
+double pointsOf(const ggrade::Part& part, ggrade::results::ItemKind kind) {
   double sum = 0;
   for (const ggrade::ItemDeclaration& item : part.items)
     if (item.kind == kind) sum += item.points;
@@ -43,7 +43,7 @@ ggrade::channel::Capture draw(const std::string& id, const fs::path& program, co
   auto rendering =
       ggrade::grading::renderScene(id, program, scene, times, shaders, ggrade::grading::isolation(),
                                    ggrade::grading::gradingRequest());
-  EXPECT_EQ(rendering.happened.outcome, ggrade::report::Outcome::graded)
+  EXPECT_EQ(rendering.happened.outcome, ggrade::results::Outcome::graded)
       << rendering.happened.detail;
   return std::move(rendering.capture);
 }
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Every, Step, testing::ValuesIn(partNames()),
                          [](const auto& one) { return one.param; });
 
 TEST_P(Step, IsGradedAndEarnsAndShowsWhatTheHandoutSays) {
-  const double points = pointsOf(part(), ggrade::report::ItemKind::gain);
+  const double points = pointsOf(part(), ggrade::results::ItemKind::gain);
   double score = 0, bonus = 0;
   std::size_t required = 0;
   for (const ggrade::Todo& todo : part().todos) required += !todo.bonus;
@@ -121,15 +121,15 @@ TEST_P(Step, IsGradedAndEarnsAndShowsWhatTheHandoutSays) {
     }
     expectPictures(k, built.program->folder());
   }
-  EXPECT_EQ(bonus, pointsOf(part(), ggrade::report::ItemKind::bonus));
+  EXPECT_EQ(bonus, pointsOf(part(), ggrade::results::ItemKind::bonus));
 }
 
 TEST_P(Step, TheReferenceHasEverything) {
   const Graded graded =
       gradePart(GetParam(), kSource / "solutions" / assignment().id, {.solution = true});
   EXPECT_EQ(graded.outcome(), "graded");
-  EXPECT_EQ(graded.score(), pointsOf(part(), ggrade::report::ItemKind::gain));
-  EXPECT_EQ(graded.bonus(), pointsOf(part(), ggrade::report::ItemKind::bonus));
+  EXPECT_EQ(graded.score(), pointsOf(part(), ggrade::results::ItemKind::gain));
+  EXPECT_EQ(graded.bonus(), pointsOf(part(), ggrade::results::ItemKind::bonus));
   EXPECT_THAT(graded.lost(), testing::IsEmpty());
 }
 

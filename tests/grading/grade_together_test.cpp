@@ -38,7 +38,7 @@ public:
   channel::Capture render(const json& scene, const trace::Request& request = {}) const {
     grading::Rendering rendering = grading::renderScene(
         "floor", folder_.path(), scene, {0.4, 1.3}, {shaders_}, sandbox::Isolation::none, request);
-    EXPECT_EQ(rendering.happened.outcome, report::Outcome::graded) << rendering.happened.detail;
+    EXPECT_EQ(rendering.happened.outcome, results::Outcome::graded) << rendering.happened.detail;
     return std::move(rendering.capture);
   }
 

@@ -11,7 +11,7 @@ function(grading_test_program name)
   list(TRANSFORM ARG_SOURCES PREPEND ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/)
   ggrade_test(${name} grading ${ARG_UNPARSED_ARGUMENTS}
     SOURCES ${ARG_SOURCES} LIBRARIES grading_tool)
-  add_dependencies(${name} ggrade_tool)
+  add_dependencies(${name} ggrade_author)
 endfunction()
 grading_test_program(grading_test TIMEOUT 300 COST 120 SOURCES
   grade_bloom_test.cpp grade_carry_test.cpp grade_catalogue_test.cpp grade_deferred_test.cpp grade_faults_test.cpp

@@ -290,8 +290,6 @@ Grader::Grader(const std::string& id, const grading::Draw& draw)
 grading::Grader& Grader::grader(const How& how) {
   std::unique_ptr<grading::Grader>& kept = how.pictures ? withPictures_ : plain_;
   if (!kept) {
-    // The judge runs all tests of its program: here they would be these.
-    grading::judgeProgram() = kBuild / "bin" / "ggrade";
     grading::GraderOptions options;
     options.pictures = options.twice = how.pictures;
     options.many = true;

@@ -100,9 +100,9 @@ private:
 
 /// One graded submission.
 struct Graded {
-  Ended ended;                     ///< of the tool, where it graded
-  nlohmann::json results;          ///< results.json; null if there is none
-  ggrade::report::Result result{}; ///< where it was graded in this process
+  Ended ended;                      ///< of the tool, where it graded
+  nlohmann::json results;           ///< results.json; null if there is none
+  ggrade::results::Result result{}; ///< where it was graded in this process
 
   std::string outcome() const;
   std::string detail() const;
@@ -173,7 +173,7 @@ Graded gradeByTool(const Submission& submission, const Arguments& more = {},
 /// A patch of a part's catalogue, and what must become of it.
 struct Catalogued {
   std::string part;
-  ggrade::calibration::Program program;
+  ggrade::calibration::KnownAnswer program;
   std::string shows; ///< mistake: tag of the scenes that show it
 };
 /// Google Test names a case by it.

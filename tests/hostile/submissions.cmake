@@ -2,5 +2,5 @@
 if(TARGET grading_tool)
   ggrade_test(submissions_hostile_test hostile SOURCES ${CMAKE_CURRENT_LIST_DIR}/submissions_test.cpp
     LIBRARIES grading_tool ggrade_report TIMEOUT 1200 PROCESSORS 2 COST 150)
-  add_dependencies(submissions_hostile_test ggrade_tool floor floor_solution)
+  add_dependencies(submissions_hostile_test ggrade_author floor floor_solution)
 endif()

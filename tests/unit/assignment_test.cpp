@@ -59,7 +59,7 @@ TEST_F(AssignmentFile, IsRead) {
   ASSERT_EQ(assignment.parts.size(), 2u);
   EXPECT_TRUE(assignment.parts[0].todos[1].bonus);
   EXPECT_FALSE(assignment.parts[0].todos[0].bonus);
-  EXPECT_EQ(assignment.parts[0].items[1].kind, report::ItemKind::keep);
+  EXPECT_EQ(assignment.parts[0].items[1].kind, results::ItemKind::keep);
   EXPECT_TRUE(assignment.parts[0].items[2].beyondLecture);
   EXPECT_THAT(assignment.parts[0].items[0].scenes, ElementsAre("lecture"));
 }

@@ -85,7 +85,7 @@ Assignment sample() {
   made.id = "floor";
   Part part;
   part.id = "mirror";
-  using report::ItemKind;
+  using results::ItemKind;
   const auto item = [](const char* title, ItemKind kind, double points, const char* step) {
     ItemDeclaration one;
     one.title = title;

@@ -46,14 +46,14 @@ TEST(BatchJob, SurvivesTheWayToAWorker) {
 }
 
 TEST(BatchJob, AnswersSurviveTheWayBack) {
-  const batch::Answer back = batch::answerFrom(
-      nlohmann::json::parse(batch::toJson(batch::Answer{"why", "crash", 12.5, 100, 3}).dump()));
+  const batch::Reply back = batch::replyFrom(
+      nlohmann::json::parse(batch::toJson(batch::Reply{"why", "crash", 12.5, 100, 3}).dump()));
   EXPECT_EQ(back.problem, "why");
   EXPECT_EQ(back.outcome, "crash");
   EXPECT_EQ(back.score, 12.5);
   EXPECT_EQ(back.maxScore, 100);
   EXPECT_EQ(back.seconds, 3);
-  EXPECT_THROW(batch::answerFrom(nlohmann::json::parse(R"({"outcome": 3})")),
+  EXPECT_THROW(batch::replyFrom(nlohmann::json::parse(R"({"outcome": 3})")),
                nlohmann::json::exception);
 }
 

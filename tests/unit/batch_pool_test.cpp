@@ -28,7 +28,7 @@ constexpr char kGood[] =
 class BatchPool : public testing::Test {
 protected:
   /// \param script what a worker does with each job; $line holds it, $n counts from 1
-  std::map<std::string, batch::Answer> run(const std::string& script, std::size_t count,
+  std::map<std::string, batch::Reply> run(const std::string& script, std::size_t count,
                                            unsigned processes = 1, double seconds = 60,
                                            const std::string& begin = "echo ready") {
     std::vector<batch::Job> jobs(count);
@@ -41,8 +41,8 @@ protected:
     options.processes = processes;
     options.temporary = folder_.path();
     options.seconds = seconds;
-    std::map<std::string, batch::Answer> answers;
-    batch::runJobs(jobs, options, [&](std::size_t job, const batch::Answer& answer) {
+    std::map<std::string, batch::Reply> answers;
+    batch::runJobs(jobs, options, [&](std::size_t job, const batch::Reply& answer) {
       const std::string& name = jobs[job].upload.name;
       EXPECT_FALSE(answers.contains(name)) << name << " was answered twice";
       answers[name] = answer;

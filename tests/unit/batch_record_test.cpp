@@ -21,14 +21,14 @@ batch::Record sample(const std::string& folder) {
   record.row.folder = folder;
   record.row.student = "1234";
   record.row.name = "学生1";
-  record.row.outcome = report::Outcome::glError;
+  record.row.outcome = results::Outcome::glError;
   record.row.headline = "2 items lost points";
   record.row.reason = "why";
   record.row.score = 81.5;
   record.row.bonus = 4;
   record.row.maxScore = 100;
-  record.row.items = {{"mirror.shading", "Shading", report::ItemKind::gain, 3, 20, true},
-                      {"mirror.keep", "Kept", report::ItemKind::keep, -2, 10, false}};
+  record.row.items = {{"mirror.shading", "Shading", results::ItemKind::gain, 3, 20, true},
+                      {"mirror.keep", "Kept", results::ItemKind::keep, -2, 10, false}};
   record.row.diagnoses = {{"mirror_upside_down", "Turn it."}};
   record.row.remarks = {"2 attempts"};
   record.row.thumbnail = std::string("\x89PNG\0", 5);
@@ -52,7 +52,7 @@ TEST(BatchRecord, ComesBackAsItWas) {
   ASSERT_TRUE(back);
   EXPECT_EQ(back->row.student, "1234");
   EXPECT_EQ(back->row.name, "学生1");
-  EXPECT_EQ(back->row.outcome, report::Outcome::glError);
+  EXPECT_EQ(back->row.outcome, results::Outcome::glError);
   EXPECT_EQ(back->row.headline, kept.row.headline);
   EXPECT_EQ(back->row.reason, "why");
   EXPECT_EQ(back->row.score, 81.5);
@@ -60,7 +60,7 @@ TEST(BatchRecord, ComesBackAsItWas) {
   EXPECT_EQ(back->row.maxScore, 100);
   ASSERT_EQ(back->row.items.size(), 2U);
   EXPECT_EQ(back->row.items[1].id, "mirror.keep");
-  EXPECT_EQ(back->row.items[1].kind, report::ItemKind::keep);
+  EXPECT_EQ(back->row.items[1].kind, results::ItemKind::keep);
   EXPECT_EQ(back->row.items[1].earned, -2);
   EXPECT_FALSE(back->row.items[1].judged);
   ASSERT_EQ(back->row.diagnoses.size(), 1U);
@@ -105,12 +105,12 @@ TEST(BatchRecord, OnlyFoldersOfResultsAreRead) {
 }
 
 TEST(BatchRecord, FeedbackSaysOnlyWhatAStudentMayKnow) {
-  report::Result result;
+  results::Result result;
   result.part = "mirror";
-  result.outcome = report::Outcome::graded;
+  result.outcome = results::Outcome::graded;
   result.maxScore = 100;
   result.score = 80;
-  report::Item item;
+  results::Item item;
   item.id = "mirror.shading";
   item.title = "Shading";
   item.points = 20;
@@ -119,7 +119,7 @@ TEST(BatchRecord, FeedbackSaysOnlyWhatAStudentMayKnow) {
   item.credits = {{"hidden-3", 0.0}};
   item.messages = {"31% differs around (212, 340)"};
   result.items = {item};
-  report::Scene scene;
+  results::Scene scene;
   scene.name = "hidden-3";
   scene.output = "SECRET";
   result.scenes = {scene};

@@ -26,7 +26,7 @@ using testing::Not;
 
 namespace {
 
-ItemDeclaration item(const std::string& id, report::ItemKind kind, double points,
+ItemDeclaration item(const std::string& id, results::ItemKind kind, double points,
                      bool beyond = false) {
   ItemDeclaration declared;
   declared.id = id;
@@ -37,9 +37,9 @@ ItemDeclaration item(const std::string& id, report::ItemKind kind, double points
 }
 
 const std::vector<ItemDeclaration> kItems = {
-    item("p.shape", report::ItemKind::gain, 50), item("p.colour", report::ItemKind::gain, 30),
-    item("p.clip", report::ItemKind::gain, 20, true), item("p.keep", report::ItemKind::keep, 40),
-    item("p.soft", report::ItemKind::bonus, 10)};
+    item("p.shape", results::ItemKind::gain, 50), item("p.colour", results::ItemKind::gain, 30),
+    item("p.clip", results::ItemKind::gain, 20, true), item("p.keep", results::ItemKind::keep, 40),
+    item("p.soft", results::ItemKind::bonus, 10)};
 
 /// A grading in which items lost so many points.
 Score score(std::uint64_t seed, const std::map<std::string, double>& lost) {
@@ -48,11 +48,11 @@ Score score(std::uint64_t seed, const std::map<std::string, double>& lost) {
   made.score = 100;
   made.bonus = 10;
   for (const ItemDeclaration& one : kItems) {
-    const double full = one.kind == report::ItemKind::keep ? 0 : one.points;
+    const double full = one.kind == results::ItemKind::keep ? 0 : one.points;
     const double gone = lost.count(one.id) ? lost.at(one.id) : 0;
     made.earned[one.id] = full - gone;
     if (gone > 0) made.messages[one.id] = "31% differ";
-    (one.kind == report::ItemKind::bonus ? made.bonus : made.score) -= gone;
+    (one.kind == results::ItemKind::bonus ? made.bonus : made.score) -= gone;
   }
   made.score = std::max(0.0, made.score);
   return made;
@@ -146,7 +146,7 @@ TEST(Verdicts, AMistakeInARequiredItemCostsFifteenInAll) {
   EXPECT_THAT(lost("p.clip", 11), ElementsAre(HasSubstr("p.clip loses 11 of 20")));
   EXPECT_THAT(lost("p.soft", 6), IsEmpty()); // a bonus costs nothing of the 100
   std::vector<ItemDeclaration> small = kItems;
-  small.push_back(item("p.small", report::ItemKind::gain, 5));
+  small.push_back(item("p.small", results::ItemKind::gain, 5));
   Score cheap = score(1, {});
   cheap.earned["p.small"] = 0;
   EXPECT_THAT(
@@ -157,11 +157,11 @@ TEST(Verdicts, AMistakeInARequiredItemCostsFifteenInAll) {
 
 TEST(Verdicts, AnotherEndThanTheOneDeclaredFails) {
   Measured mistake = measured(Kind::mistake, "p_m", {score(1, {{"p.shape", 50}})}, "p.shape");
-  mistake.scores[0].outcome = report::Outcome::crash;
+  mistake.scores[0].outcome = results::Outcome::crash;
   mistake.scores[0].detail = "signal 11";
   EXPECT_THAT(failures({mistake}),
               ElementsAre("p_m: on seed 1 it ends as crash instead of graded: signal 11"));
-  mistake.program.outcome = report::Outcome::crash;
+  mistake.program.outcome = results::Outcome::crash;
   EXPECT_THAT(failures({mistake}), IsEmpty());
 }
 
@@ -299,7 +299,7 @@ TEST(ScoreFile, KeepsAScoreAndKnowsAHalfWrittenOne) {
   const TemporaryFolder files;
   const fs::path file = files.path() / "score.json";
   Score kept = score(18446744073709551615u, {{"p.shape", 12.3}});
-  kept.outcome = report::Outcome::glError;
+  kept.outcome = results::Outcome::glError;
   kept.detail = "frame 1";
   EXPECT_EQ(loadScore(file), std::nullopt);
   saveScore(file, kept);
@@ -346,7 +346,7 @@ protected:
     files_.write("ada_lovelace/tile.frag", readFile(solution_ / "tile.frag") + "// mine\n");
     files_.write("ada_lovelace/mine.glsl", "// no line end");
   }
-  fs::path adopt(AdoptAs as, const std::string& name, std::vector<report::Item> items = {}) {
+  fs::path adopt(AdoptAs as, const std::string& name, std::vector<results::Item> items = {}) {
     return calibration::adopt(target_, solution_, solution_, files_.path() / "ada_lovelace", as,
                               name, items);
   }
@@ -372,7 +372,7 @@ TEST_F(Adopting, AVariantGivesBackTheSubmissionAndNamesNobody) {
 }
 
 TEST_F(Adopting, AMistakeNamesTheItemThatLostMost) {
-  report::Item texture, shading;
+  results::Item texture, shading;
   texture.id = "mirror.texture";
   texture.points = texture.earned = 20;
   shading.id = "mirror.shading";

@@ -118,20 +118,20 @@ TEST(Look, HasAName) {
 }
 
 TEST(Look, ScenesThatAreNotLookedAtCostNothing) {
-  report::Item gain, keep, unjudged;
+  results::Item gain, keep, unjudged;
   gain.points = 20;
   gain.earned = 0;
   gain.judged = true;
   gain.credits = {{"public", 0.9}, {"a", 0.255}, {"b", 0}};
   gain.messages = {"some", "much", "all"};
-  keep.kind = report::ItemKind::keep;
+  keep.kind = results::ItemKind::keep;
   keep.points = 40;
   keep.earned = -40;
   keep.judged = true;
   keep.credits = {{"b", 0}};
   keep.messages = {"all"};
   unjudged.points = 10;
-  std::vector<report::Item> items = {gain, keep, unjudged};
+  std::vector<results::Item> items = {gain, keep, unjudged};
   grading::keepScenes(items, {"public", "a"});
   EXPECT_EQ(items[0].earned, 5.1);
   EXPECT_EQ(items[0].message, "a: much");
@@ -224,10 +224,10 @@ TEST(TradePlan, RowsThatAreTheSameShareTheirGradings) {
 std::vector<ItemDeclaration> items() {
   ItemDeclaration shape, soft;
   shape.id = "p.shape";
-  shape.kind = report::ItemKind::gain;
+  shape.kind = results::ItemKind::gain;
   shape.points = 100;
   soft.id = "p.soft";
-  soft.kind = report::ItemKind::bonus;
+  soft.kind = results::ItemKind::bonus;
   soft.points = 10;
   return {shape, soft};
 }
@@ -339,11 +339,11 @@ TEST_F(Trading, AProgramNeedNotCrashWhereTheSceneInWhichItDoesIsLeftOut) {
   plan.looks[1].hidden = 1;
   plan.settings = {{"quality", "balanced", 0}, {"hidden scenes", "1 of 2", 1}};
   Measured lecture = answer(Kind::variant, right_[0], 0, 0, 1);
-  lecture.program.outcome = report::Outcome::crash;
+  lecture.program.outcome = results::Outcome::crash;
   const Trade made = tradeOf("p", items(), plan, {{lecture}, {lecture}});
   EXPECT_EQ(made.rows[0].errors, (Errors{1, 1, 0, 0}));
   EXPECT_EQ(made.rows[1].errors, (Errors{1, 0, 0, 0}));
-  lecture.scores[0].outcome = report::Outcome::timeout;
+  lecture.scores[0].outcome = results::Outcome::timeout;
   EXPECT_EQ(tradeOf("p", items(), plan, {{lecture}, {lecture}}).rows[1].errors,
             (Errors{1, 1, 0, 0}));
 }

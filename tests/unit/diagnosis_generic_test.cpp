@@ -48,7 +48,7 @@ TEST(DiagnosisGeneric, UpsideDownMirroredAndTurned) {
   ASSERT_TRUE(upsideDown);
   EXPECT_EQ(upsideDown->kind, Kind::upsideDown);
   EXPECT_GT(upsideDown->likeness, 0.99);
-  EXPECT_THAT(words(*upsideDown, "The window's picture"),
+  EXPECT_THAT(describe(*upsideDown, "The window's picture"),
               StrEq("The window's picture is right, but upside down."));
   const auto mirrored =
       of(rearranged(kScene, [&](int x, int y, auto to) { copy(kScene.pixel(right - x, y), to); }));
@@ -72,7 +72,7 @@ TEST(DiagnosisGeneric, ShiftedByTheVeryPixels) {
     EXPECT_EQ(found->dx, dx);
     EXPECT_EQ(found->dy, dy);
   }
-  EXPECT_THAT(words({Kind::shifted, -11, 1}, "It"),
+  EXPECT_THAT(describe({Kind::shifted, -11, 1}, "It"),
               StrEq("It is right, but shifted by 11 pixels to the left and 1 pixel down."));
 }
 
@@ -92,7 +92,7 @@ TEST(DiagnosisGeneric, ColoursThatAreSwappedScaledOrCurved) {
   ASSERT_TRUE(scaled);
   EXPECT_EQ(scaled->kind, Kind::scaled);
   EXPECT_NEAR(scaled->factor, 0.5, 0.01);
-  EXPECT_THAT(words(*scaled, "It"),
+  EXPECT_THAT(describe(*scaled, "It"),
               StrEq("It is right, but 0.50 times as bright as it should be."));
 }
 

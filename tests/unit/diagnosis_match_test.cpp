@@ -155,7 +155,7 @@ TEST(DiagnosisMatch, TheFirstWrongPictureAndItsPlace) {
   const auto texture = firstWrong(fault(0.2f, 0.5f, 0.6f, 0.8f, 0, true), reference);
   ASSERT_TRUE(texture);
   ASSERT_TRUE(texture->slot);
-  EXPECT_EQ(words(*texture->slot), "the texture that objects are drawn into");
+  EXPECT_EQ(describe(*texture->slot), "the texture that objects are drawn into");
   // The middle of a window in which all is wrong.
   EXPECT_GT(texture->x, 0.2);
   EXPECT_LT(texture->x, 0.6);
@@ -170,7 +170,7 @@ TEST(DiagnosisMatch, TheFirstWrongPictureAndItsPlace) {
   const auto missing = firstWrong(without, reference);
   ASSERT_TRUE(missing);
   EXPECT_TRUE(missing->missing);
-  EXPECT_EQ(words(*missing->slot), "the depth texture that objects are drawn into");
+  EXPECT_EQ(describe(*missing->slot), "the depth texture that objects are drawn into");
 }
 
 } // namespace

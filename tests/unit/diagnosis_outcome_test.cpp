@@ -4,15 +4,15 @@
 
 using namespace ggrade;
 using namespace ggrade::diagnosis;
-using report::Outcome;
+using results::Outcome;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
 namespace {
 
-report::Result ended(Outcome outcome, const std::string& compiler = "") {
-  report::Result result;
+results::Result ended(Outcome outcome, const std::string& compiler = "") {
+  results::Result result;
   result.outcome = outcome;
   result.compilerOutput = compiler;
   return result;
@@ -61,8 +61,8 @@ TEST(DiagnosisOutcome, AnIncompleteFramebufferIsNamed) {
 }
 
 TEST(DiagnosisOutcome, GlErrorsBringThePublicScenesFirstMessage) {
-  report::Result result = ended(Outcome::glError);
-  report::Scene hidden, shown;
+  results::Result result = ended(Outcome::glError);
+  results::Scene hidden, shown;
   hidden.messages = {"frame 1: secret"};
   shown.isPublic = true;
   shown.messages = {"frame 1: GL_INVALID_ENUM in glBindTexture"};

@@ -82,12 +82,12 @@ TEST_F(CatalogueTest, ReadsMistakesVariantsAndPairsOfOnePart) {
   EXPECT_EQ(all.mistakes[0].name, "mirror_a");
   EXPECT_EQ(all.mistakes[0].hint, "Look at where the light is.");
   EXPECT_EQ(all.mistakes[0].fails, "mirror.shading");
-  EXPECT_EQ(all.mistakes[0].outcome, report::Outcome::graded);
-  EXPECT_EQ(all.mistakes[1].outcome, report::Outcome::noFrame);
+  EXPECT_EQ(all.mistakes[0].outcome, results::Outcome::graded);
+  EXPECT_EQ(all.mistakes[1].outcome, results::Outcome::noFrame);
   EXPECT_EQ(all.mistakes[1].same, "mirror_a");
   ASSERT_EQ(all.variants.size(), 1u);
   EXPECT_THAT(all.variants[0].loses, ElementsAre("mirror.clip", "mirror.blur"));
-  EXPECT_EQ(all.variants[0].outcome, report::Outcome::crash);
+  EXPECT_EQ(all.variants[0].outcome, results::Outcome::crash);
   EXPECT_THAT(all.pairs, ElementsAre(Pair("mirror_a", "mirror_b")));
 }
 

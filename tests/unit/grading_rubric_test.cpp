@@ -37,7 +37,7 @@ SceneEvidence scene(const std::string& name, float student, float stub,
   return one;
 }
 
-ItemDeclaration item(report::ItemKind kind, std::vector<std::string> scenes = {"lecture"}) {
+ItemDeclaration item(results::ItemKind kind, std::vector<std::string> scenes = {"lecture"}) {
   ItemDeclaration declared;
   declared.id = "mirror.where";
   declared.kind = kind;
@@ -52,7 +52,7 @@ Decision decided(const ItemDeclaration& declared, std::vector<SceneEvidence> sce
 }
 
 TEST(Rubric, TheWorstSceneCounts) {
-  const Decision decision = decided(item(report::ItemKind::gain),
+  const Decision decision = decided(item(results::ItemKind::gain),
                                     {scene("a", 1, 0), scene("b", 0.25f, 0), scene("c", 0.5f, 0)});
   EXPECT_DOUBLE_EQ(decision.credit, 0.25);
   EXPECT_EQ(decision.message, "b: as seen");
@@ -60,50 +60,50 @@ TEST(Rubric, TheWorstSceneCounts) {
 }
 
 TEST(Rubric, GainIsScaledBetweenStubAndReference) {
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::gain), {scene("a", 0.75f, 0.5f)}).credit, 0.5);
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::gain), {scene("a", 0.5f, 0.5f)}).credit, 0);
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::gain), {scene("a", 0.25f, 0.5f)}).credit, 0);
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::bonus), {scene("a", 0.75f, 0.5f)}).credit, 0.5);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain), {scene("a", 0.75f, 0.5f)}).credit, 0.5);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain), {scene("a", 0.5f, 0.5f)}).credit, 0);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain), {scene("a", 0.25f, 0.5f)}).credit, 0);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::bonus), {scene("a", 0.75f, 0.5f)}).credit, 0.5);
 }
 
 TEST(Rubric, KeepIsTheQualityItself) {
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::keep), {scene("a", 0.75f, 1)}).credit, 0.75);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep), {scene("a", 0.75f, 1)}).credit, 0.75);
 }
 
 TEST(Rubric, ASceneThatTheStubFulfilsCannotShowTheItem) {
   const Decision decision =
-      decided(item(report::ItemKind::gain), {scene("a", 0, 1), scene("b", 0.5f, 0)});
+      decided(item(results::ItemKind::gain), {scene("a", 0, 1), scene("b", 0.5f, 0)});
   EXPECT_DOUBLE_EQ(decision.credit, 0.5);
   EXPECT_THAT(decision.credits, ElementsAre(Pair("b", 0.5)));
   EXPECT_EQ(messageOf<std::runtime_error>(
-                [&] { decided(item(report::ItemKind::gain), {scene("a", 0, 1)}); }),
+                [&] { decided(item(results::ItemKind::gain), {scene("a", 0, 1)}); }),
             "no scene can show mirror.where");
 }
 
 TEST(Rubric, ItemsLookAtTheScenesWithTheirTags) {
   const std::vector<SceneEvidence> scenes = {scene("a", 0.75f, 0), scene("b", 0.5f, 0, {"sunk"}),
                                              scene("c", 0.25f, 0, {"bonus"})};
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::gain, {"lecture"}), scenes).credit, 0.75);
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::gain, {"sunk", "bonus"}), scenes).credit, 0.25);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain, {"lecture"}), scenes).credit, 0.75);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain, {"sunk", "bonus"}), scenes).credit, 0.25);
   // Without tags: all but bonus scenes.
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::keep, {}), scenes).credit, 0.5);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep, {}), scenes).credit, 0.5);
 }
 
 TEST(Rubric, AMissingFrameHasNoCredit) {
   SceneEvidence cut = scene("a", 1, 0);
   cut.frameCount = 2;
-  const Decision decision = decided(item(report::ItemKind::gain), {cut});
+  const Decision decision = decided(item(results::ItemKind::gain), {cut});
   EXPECT_DOUBLE_EQ(decision.credit, 0);
   EXPECT_EQ(decision.message, "a: 1 of 2 frames came");
   // What never came harmed nothing.
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::keep), {cut}).credit, 1);
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::keep), {cut, scene("b", 0.5f, 0)}).credit, 0.5);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep), {cut}).credit, 1);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep), {cut, scene("b", 0.5f, 0)}).credit, 0.5);
 }
 
 TEST(Rubric, AWindowOfAnotherSizeHasNoCredit) {
   SceneEvidence resized = scene("a", 1, 0);
   resized.student = {Image(2, 1, 3, 1.0f)};
-  const Decision decision = decided(item(report::ItemKind::gain), {resized});
+  const Decision decision = decided(item(results::ItemKind::gain), {resized});
   EXPECT_DOUBLE_EQ(decision.credit, 0);
   EXPECT_EQ(decision.message, "a: the window is 2x1 instead of 1x1");
 }
@@ -114,7 +114,7 @@ TEST(Rubric, ALaterFrameOfAnotherSizeHasNoCreditEither) {
   resized.student = {pixel(1), Image(2, 1, 3, 1.0f)};
   resized.reference = {pixel(1), pixel(1)};
   resized.stub = {pixel(0), pixel(0)};
-  const Decision decision = decided(item(report::ItemKind::gain), {resized});
+  const Decision decision = decided(item(results::ItemKind::gain), {resized});
   EXPECT_DOUBLE_EQ(decision.credit, 0);
   EXPECT_EQ(decision.message, "a: the window is 2x1 instead of 1x1");
 }
@@ -123,12 +123,13 @@ TEST(Rubric, QualityIsClampedAndMustBeFinite) {
   const auto always = [](double quality) {
     return [quality](const View&) { return Verdict{quality, ""}; };
   };
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::keep), {scene("a", 0, 0)}, always(7)).credit, 1);
-  EXPECT_DOUBLE_EQ(decided(item(report::ItemKind::keep), {scene("a", 0, 0)}, always(-7)).credit, 0);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep), {scene("a", 0, 0)}, always(7)).credit, 1);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep), {scene("a", 0, 0)}, always(-7)).credit,
+                   0);
   for (double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
     EXPECT_THAT(messageOf<std::runtime_error>([&] {
-                  decided(item(report::ItemKind::keep), {scene("a", 0, 0)}, always(bad));
+                  decided(item(results::ItemKind::keep), {scene("a", 0, 0)}, always(bad));
                 }),
                 HasSubstr("not finite in scene a"));
 }

@@ -66,7 +66,7 @@ TEST(Adjustments, OfTheTotalAndOfUnknownItems) {
 
 TEST(Adjustments, OfWhatWasNotGradable) {
   ClassRow row = adjusted();
-  row.outcome = Outcome::notGradable;
+  row.outcome = results::Outcome::notGradable;
   EXPECT_THAT(withAdjustments(kPage, row, ""),
               HasSubstr("<p>No final score: the submission could not be graded</p>"));
   row.adjustments = {{"", 0, 70, "shown", "tutor1"}};
@@ -102,8 +102,8 @@ TEST(Adjustments, BothPagesOfAResultHaveThePlaceOnceNearTheScore) {
 
 TEST(Adjustments, NoStudentsTextIsTakenForThePlace) {
   const std::string evil = "<!--adjustments-->evil<!--/adjustments-->";
-  Result result = samples::partial(64, 48);
-  result.outcome = Outcome::buildFailed;
+  results::Result result = samples::partial(64, 48);
+  result.outcome = results::Outcome::buildFailed;
   for (std::string* text :
        {&result.submission, &result.title, &result.part, &result.detail, &result.compilerOutput,
         &result.scenes[0].output, &result.scenes[0].name, &result.items[1].message})

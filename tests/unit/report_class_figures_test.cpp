@@ -20,7 +20,7 @@ std::vector<ClassRow> scoring(const std::vector<double>& scores) {
 
 ClassRow notGradable() {
   ClassRow row = samples::student("student");
-  row.outcome = Outcome::notGradable;
+  row.outcome = results::Outcome::notGradable;
   row.finalScore = 0;
   return row;
 }
@@ -91,8 +91,8 @@ TEST(ClassFigures, DiagnosesAreCountedByStudentAndTheUnknownComeLast) {
 
 TEST(ClassFigures, OutcomesKeepTheirOrder) {
   std::vector<ClassRow> rows = scoring({1, 2, 3});
-  rows[0].outcome = Outcome::crash;
-  rows[2].outcome = Outcome::crash;
+  rows[0].outcome = results::Outcome::crash;
+  rows[2].outcome = results::Outcome::crash;
   const auto groups = groupByOutcome(rows);
   ASSERT_EQ(groups.size(), 2u);
   EXPECT_EQ(groups[0].id, "graded");
@@ -103,15 +103,15 @@ TEST(ClassFigures, OutcomesKeepTheirOrder) {
 
 TEST(ClassFigures, ItemsHardestFirstOverThoseJudged) {
   std::vector<ClassRow> rows = scoring({1, 2, 3});
-  rows[0].items = {{"a", "A", ItemKind::gain, 10, 20, true},
-                   {"keep", "Keep", ItemKind::keep, -3, 30, true},
-                   {"b", "B", ItemKind::gain, 0, 20, false}};
-  rows[1].items = {{"a", "A", ItemKind::gain, 20, 20, true},
-                   {"keep", "Keep", ItemKind::keep, 0, 30, true},
-                   {"b", "B", ItemKind::gain, 5, 20, true}};
-  rows[2].items = {{"a", "A", ItemKind::gain, kNaN, 20, true},
-                   {"keep", "Keep", ItemKind::keep, 0, 30, false},
-                   {"c", "C", ItemKind::gain, 0, 20, false}};
+  rows[0].items = {{"a", "A", results::ItemKind::gain, 10, 20, true},
+                   {"keep", "Keep", results::ItemKind::keep, -3, 30, true},
+                   {"b", "B", results::ItemKind::gain, 0, 20, false}};
+  rows[1].items = {{"a", "A", results::ItemKind::gain, 20, 20, true},
+                   {"keep", "Keep", results::ItemKind::keep, 0, 30, true},
+                   {"b", "B", results::ItemKind::gain, 5, 20, true}};
+  rows[2].items = {{"a", "A", results::ItemKind::gain, kNaN, 20, true},
+                   {"keep", "Keep", results::ItemKind::keep, 0, 30, false},
+                   {"c", "C", results::ItemKind::gain, 0, 20, false}};
   const auto items = itemFigures(rows);
   ASSERT_EQ(items.size(), 4u);
   EXPECT_EQ(items[0].id, "b");

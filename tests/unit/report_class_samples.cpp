@@ -32,11 +32,12 @@ double chance(std::size_t i, double salt) {
   return value - std::floor(value);
 }
 
-Outcome outcomeOf(std::size_t i) {
-  constexpr std::array kRare = {Outcome::buildFailed, Outcome::timeout,     Outcome::crash,
-                                Outcome::noFrame,     Outcome::shaderError, Outcome::glError,
-                                Outcome::outOfMemory, Outcome::badOutput,   Outcome::notGradable};
-  return i % 6 == 5 ? kRare[i / 6 % kRare.size()] : Outcome::graded;
+results::Outcome outcomeOf(std::size_t i) {
+  constexpr std::array kRare = {
+      results::Outcome::buildFailed, results::Outcome::timeout,     results::Outcome::crash,
+      results::Outcome::noFrame,     results::Outcome::shaderError, results::Outcome::glError,
+      results::Outcome::outOfMemory, results::Outcome::badOutput,   results::Outcome::notGradable};
+  return i % 6 == 5 ? kRare[i / 6 % kRare.size()] : results::Outcome::graded;
 }
 
 void judge(ClassRow& row, std::size_t i) {
@@ -47,10 +48,10 @@ void judge(ClassRow& row, std::size_t i) {
     const double reached =
         std::clamp(skill + hard * (chance(i, double(item.title.size())) - .35), 0.0, 1.0);
     const double share = std::round(reached * 4) / 4;
-    item.earned = item.kind == ItemKind::keep    ? (share < .5 ? -item.points / 2 : 0)
-                  : item.kind == ItemKind::bonus ? (share > .9 ? item.points : 0)
-                                                 : share * item.points;
-    (item.kind == ItemKind::bonus ? row.bonus : row.score) += item.earned;
+    item.earned = item.kind == results::ItemKind::keep    ? (share < .5 ? -item.points / 2 : 0)
+                  : item.kind == results::ItemKind::bonus ? (share > .9 ? item.points : 0)
+                                                          : share * item.points;
+    (item.kind == results::ItemKind::bonus ? row.bonus : row.score) += item.earned;
   }
   row.score = std::max(0.0, row.score);
   if (row.score > 95) {
@@ -84,13 +85,14 @@ void decide(ClassRow& row, std::size_t i) {
 ClassRow student(const std::string& name, double finalScore) {
   ClassRow row;
   row.folder = row.student = row.name = name;
-  row.outcome = Outcome::graded;
+  row.outcome = results::Outcome::graded;
   row.headline = "1 of 3 items lost points.";
   row.score = row.finalScore = finalScore, row.maxScore = 100, row.seconds = 2.5;
-  row.items = {{"mirror.where", "The reflection is where it must be", ItemKind::gain, 40, 40, true},
-               {"mirror.shading", "The reflection is lit", ItemKind::gain, 20, 60, true},
-               {"mirror.keep", "Everything else stays", ItemKind::keep, 0, 30, true},
-               {"mirror.blur", "The reflection is blurred", ItemKind::bonus, 0, 10, true}};
+  row.items = {
+      {"mirror.where", "The reflection is where it must be", results::ItemKind::gain, 40, 40, true},
+      {"mirror.shading", "The reflection is lit", results::ItemKind::gain, 20, 60, true},
+      {"mirror.keep", "Everything else stays", results::ItemKind::keep, 0, 30, true},
+      {"mirror.blur", "The reflection is blurred", results::ItemKind::bonus, 0, 10, true}};
   return row;
 }
 
@@ -104,14 +106,16 @@ ClassPage wholeClass(std::size_t students) {
     row.folder = "student" + std::to_string(i + 1);
     row.outcome = outcomeOf(i);
     row.items = {
-        {"mirror.where", "The reflection is where it must be", ItemKind::gain, 0, 35, true},
-        {"mirror.shading", "The reflection is lit from the right side", ItemKind::gain, 0, 30,
+        {"mirror.where", "The reflection is where it must be", results::ItemKind::gain, 0, 35,
          true},
-        {"mirror.position", "The reflection touches its object", ItemKind::gain, 0, 20, true},
-        {"mirror.hidden", "Objects hide what is behind them", ItemKind::gain, 0, 15, true},
-        {"mirror.keep", "Everything else stays", ItemKind::keep, 0, 30, true},
-        {"mirror.blur", "The reflection is blurred", ItemKind::bonus, 0, 10, true}};
-    if (row.outcome == Outcome::graded || row.outcome == Outcome::glError) {
+        {"mirror.shading", "The reflection is lit from the right side", results::ItemKind::gain, 0,
+         30, true},
+        {"mirror.position", "The reflection touches its object", results::ItemKind::gain, 0, 20,
+         true},
+        {"mirror.hidden", "Objects hide what is behind them", results::ItemKind::gain, 0, 15, true},
+        {"mirror.keep", "Everything else stays", results::ItemKind::keep, 0, 30, true},
+        {"mirror.blur", "The reflection is blurred", results::ItemKind::bonus, 0, 10, true}};
+    if (row.outcome == results::Outcome::graded || row.outcome == results::Outcome::glError) {
       judge(row, i);
     } else {
       for (ClassItem& item : row.items) item.judged = false;
@@ -147,7 +151,7 @@ void addThumbnails(ClassPage& page) {
     pictures.emplace_back(png.begin(), png.end());
   }
   for (std::size_t i = 0; i < page.rows.size(); ++i)
-    if (page.rows[i].outcome == Outcome::graded)
+    if (page.rows[i].outcome == results::Outcome::graded)
       page.rows[i].thumbnail = pictures[i % pictures.size()];
 }
 

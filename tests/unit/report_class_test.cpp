@@ -95,7 +95,7 @@ TEST(ClassPage, ColumnsStandOnlyWhereAStudentHasThem) {
 
 TEST(ClassPage, SaysTheFiguresAndWhoIsLeftOut) {
   ClassRow ours = samples::student("student4");
-  ours.outcome = Outcome::notGradable;
+  ours.outcome = results::Outcome::notGradable;
   const std::string page =
       classPage(pageOf({samples::student("student1", 20), samples::student("student2", 60),
                         samples::student("student3", 70), ours}));
@@ -207,7 +207,7 @@ TEST(ClassPage, AnEmptyClassIsStillAPage) {
 
 TEST(ClassPage, AllNotGradableHasNoFiguresOfNothing) {
   ClassRow row = samples::student("student1");
-  row.outcome = Outcome::notGradable;
+  row.outcome = results::Outcome::notGradable;
   const std::string page = classPage(pageOf({row, row}));
   EXPECT_THAT(page, HasSubstr("2 submissions are not gradable and have no score"));
   EXPECT_THAT(page, Not(HasSubstr("mean ")));

@@ -20,7 +20,7 @@ std::size_t count(const std::string& text, const std::string& word) {
   return found;
 }
 
-std::string index(const Result& result) {
+std::string index(const results::Result& result) {
   return resultPages(result, Reveal::names).index;
 }
 
@@ -47,7 +47,7 @@ TEST(Thumbnail, AveragesAndNeverEnlarges) {
 }
 
 TEST(ResultPage, NeedsNothingFromOutside) {
-  for (const Result& result : {samples::partial(64, 48), samples::hostile()})
+  for (const results::Result& result : {samples::partial(64, 48), samples::hostile()})
     for (const std::string& page : {resultPages(result, Reveal::details).index,
                                     resultPages(result, Reveal::details).student}) {
       EXPECT_THAT(
@@ -99,16 +99,17 @@ TEST(ResultPage, NamesWhatLostMostAndWhereAtTheTop) {
 }
 
 TEST(ResultPage, HasEveryPictureOnceAndASliderAScene) {
-  const Result result = samples::partial(64, 48);
+  const results::Result result = samples::partial(64, 48);
   const std::string page = index(result);
-  for (const Scene& scene : result.scenes)
-    for (const Frame& frame : scene.frames) EXPECT_GE(count(page, pngDataUri(frame.student)), 1u);
+  for (const results::Scene& scene : result.scenes)
+    for (const results::Frame& frame : scene.frames)
+      EXPECT_GE(count(page, pngDataUri(frame.student)), 1u);
   EXPECT_EQ(count(page, "<img class=\"student\""), 6u);
   EXPECT_EQ(count(page, "<img class=\"reference\""), 6u);
   EXPECT_EQ(count(page, "<img class=\"difference\""), 6u);
   EXPECT_EQ(count(page, "<img class=\"flip\""), 6u);
-  for (const Scene& scene : result.scenes)
-    for (const Frame& frame : scene.frames) {
+  for (const results::Scene& scene : result.scenes)
+    for (const results::Frame& frame : scene.frames) {
       EXPECT_THAT(page, HasSubstr(pngDataUri(frame.flipPicture)));
       EXPECT_THAT(page, HasSubstr("<figcaption>FLIP " + number(frame.flip, 4) + "</figcaption>"));
     }
@@ -120,9 +121,9 @@ TEST(ResultPage, HasEveryPictureOnceAndASliderAScene) {
 
 TEST(ResultPage, HasNoSliderWithoutAPair) {
   EXPECT_THAT(index(samples::crashed()), Not(HasSubstr("<input type=\"range\"")));
-  Result result = samples::partial(64, 48);
-  for (Scene& scene : result.scenes)
-    for (Frame& frame : scene.frames) frame.student = Image(32, 48, 4, 1);
+  results::Result result = samples::partial(64, 48);
+  for (results::Scene& scene : result.scenes)
+    for (results::Frame& frame : scene.frames) frame.student = Image(32, 48, 4, 1);
   EXPECT_THAT(index(result), Not(HasSubstr("<input type=\"range\""))) << "sizes differ";
 }
 
@@ -156,14 +157,14 @@ TEST(ResultPage, PerfectLooksDifferent) {
 }
 
 TEST(ResultPage, SaysWhenThereWasNoSandbox) {
-  Result result = samples::perfect(16, 12);
+  results::Result result = samples::perfect(16, 12);
   EXPECT_THAT(index(result), Not(HasSubstr("ran without a sandbox")));
   result.sandbox = "none";
   EXPECT_THAT(index(result), HasSubstr("ran without a sandbox"));
 }
 
 TEST(ResultPage, AnEmptyResultIsStillAPage) {
-  EXPECT_THAT(index(Result()), HasSubstr("The grader failed, not the submission"));
+  EXPECT_THAT(index(results::Result()), HasSubstr("The grader failed, not the submission"));
 }
 
 TEST(OverviewPage, HasARowWithThumbnailScoreAndLink) {

@@ -11,7 +11,7 @@ using Json = nlohmann::json;
 using testing::HasSubstr;
 using testing::Not;
 
-Json parsed(const Result& result, Reveal reveal = Reveal::names) {
+Json parsed(const results::Result& result, Reveal reveal = Reveal::names) {
   return Json::parse(resultsJson(result, reveal)); // throws on invalid JSON or UTF-8
 }
 
@@ -46,7 +46,7 @@ TEST(ResultsJson, ScoreIncludesTheBonusAndTimesAddUp) {
 }
 
 TEST(ResultsJson, WhatWasCarriedForwardIsSaid) {
-  Result result = samples::partial(16, 12);
+  results::Result result = samples::partial(16, 12);
   result.items[1].carried = {"scene", "bright pass"};
   const Json json = parsed(result);
   EXPECT_EQ(json["extra_data"]["items"][1]["carried_forward"], Json({"scene", "bright pass"}));
@@ -102,6 +102,15 @@ TEST(ResultsJson, ExtraDataMakesARegradeExact) {
   EXPECT_EQ(extra["unused_files"].size(), 2u);
 }
 
+TEST(ResultsJson, WhatNeverReachedTheCompilerIsNotSaidToHaveFailedThere) {
+  results::Result result = samples::buildFailed();
+  result.compilerOutput.clear();
+  result.detail = "the archive is damaged";
+  const std::string output = parsed(result)["output"];
+  EXPECT_THAT(output, testing::StartsWith("There is no program to run, so nothing was drawn."));
+  EXPECT_THAT(output, HasSubstr("the archive is damaged"));
+}
+
 TEST(ResultsJson, BuildFailureShowsTheCompilerAndScoresZero) {
   const Json json = parsed(samples::buildFailed());
   EXPECT_DOUBLE_EQ(json["score"], 0);
@@ -114,8 +123,8 @@ TEST(ResultsJson, BuildFailureShowsTheCompilerAndScoresZero) {
 }
 
 TEST(ResultsJson, OurFailureIsNoZero) {
-  Result result = samples::noFrame();
-  result.outcome = Outcome::notGradable;
+  results::Result result = samples::noFrame();
+  result.outcome = results::Outcome::notGradable;
   EXPECT_TRUE(parsed(result)["score"].is_null());
 }
 
@@ -130,7 +139,7 @@ TEST(ResultsJson, HostileTextsParseBackAndStaySmall) {
 }
 
 TEST(ResultsJson, NotANumberBecomesNull) {
-  Result result = samples::perfect(16, 12);
+  results::Result result = samples::perfect(16, 12);
   result.items[0].earned = std::nan("");
   EXPECT_TRUE(parsed(result)["tests"][0]["score"].is_null());
 }

@@ -43,7 +43,7 @@ TEST(Junit, HasOneCaseAnItemWithTheCounts) {
 }
 
 TEST(Junit, HasASuiteAPart) {
-  Result result = samples::perfect(16, 12);
+  results::Result result = samples::perfect(16, 12);
   result.items[3].id = "shadow.acne";
   const std::string xml = junit(result);
   EXPECT_THAT(xml, HasSubstr("<testsuite name=\"floor.mirror\" tests=\"5\" failures=\"0\""));
@@ -60,7 +60,7 @@ TEST(Junit, ItemsThatWereNeverJudgedAreErrors) {
 }
 
 TEST(Junit, ARunWithoutItemsIsNoSuccess) {
-  Result result;
+  results::Result result;
   result.assignment = "floor", result.part = "mirror";
   const std::string xml = junit(result);
   EXPECT_THAT(xml, HasSubstr("tests=\"1\" failures=\"0\" errors=\"1\""));

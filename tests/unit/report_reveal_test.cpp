@@ -13,7 +13,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 // What a student reads: the page, and of results.json all but extra_data.
-std::string studentText(const Result& result, Reveal reveal) {
+std::string studentText(const results::Result& result, Reveal reveal) {
   nlohmann::json json = nlohmann::json::parse(resultsJson(result, reveal));
   json.erase("extra_data");
   return resultPages(result, reveal).student + json.dump();
@@ -55,9 +55,9 @@ TEST(Reveal, DetailsAddsPositionsAndEvidenceButNeverOutputOrSeed) {
 }
 
 TEST(Reveal, HiddenPicturesNeedDetails) {
-  const Result result = samples::partial(64, 48);
+  const results::Result result = samples::partial(64, 48);
   for (std::size_t s = 1; s < 3; ++s)
-    for (const Frame& frame : result.scenes[s].frames)
+    for (const results::Frame& frame : result.scenes[s].frames)
       for (const Image* image :
            {&frame.student, &frame.reference, &frame.difference, &frame.flipPicture}) {
         const std::string uri = pngDataUri(*image);
@@ -65,12 +65,12 @@ TEST(Reveal, HiddenPicturesNeedDetails) {
         EXPECT_THAT(studentText(result, Reveal::names), Not(HasSubstr(uri)));
         EXPECT_THAT(studentText(result, Reveal::details), HasSubstr(uri));
       }
-  for (const Frame& frame : result.scenes[0].frames)
+  for (const results::Frame& frame : result.scenes[0].frames)
     EXPECT_THAT(studentText(result, Reveal::none), HasSubstr(pngDataUri(frame.student)));
 }
 
 TEST(Reveal, HiddenSceneWithThePublicOnesNameGetsNoPicture) {
-  Result result = samples::partial(64, 48);
+  results::Result result = samples::partial(64, 48);
   std::swap(result.scenes[0], result.scenes[1]);
   result.scenes[0].name = "public";
   EXPECT_THAT(studentText(result, Reveal::names),
@@ -82,15 +82,15 @@ TEST(Reveal, PublicOutputIsTheStudents) {
 }
 
 TEST(Reveal, PositionsOfThePublicSceneStay) {
-  Result result = samples::partial(64, 48);
-  Item& item = result.items[1];
+  results::Result result = samples::partial(64, 48);
+  results::Item& item = result.items[1];
   item.credits = {{"public", 0.1}, {"hidden-low", 1}, {"hidden-many", 1}};
   EXPECT_THAT(studentText(result, Reveal::names), HasSubstr("densest at (212, 340)"));
 }
 
 TEST(Reveal, AMessageAboutThePublicSceneKeepsItsPositionsWhateverHappensElsewhere) {
-  Result result = samples::partial(64, 48);
-  Item& item = result.items[1];
+  results::Result result = samples::partial(64, 48);
+  results::Item& item = result.items[1];
   item.message = "public: densest at (212, 340)";
   item.credits = {{"public", 0.1}, {"hidden-low", 0.5}};
   EXPECT_THAT(studentText(result, Reveal::names), HasSubstr("densest at (212, 340)"));
@@ -102,8 +102,8 @@ TEST(Reveal, AMessageAboutThePublicSceneKeepsItsPositionsWhateverHappensElsewher
 }
 
 TEST(Reveal, DiagnosisHasNoPositionOfAHiddenSceneAndNeverItsName) {
-  Result result = samples::partial(64, 48);
-  Diagnosis diagnosis;
+  results::Result result = samples::partial(64, 48);
+  results::Diagnosis diagnosis;
   diagnosis.part = "mirror";
   diagnosis.text = "Your reflection matches what happens when the light is not mirrored.";
   diagnosis.step = "Step 4: draw the mirrored scene";
@@ -132,7 +132,7 @@ TEST(Reveal, DiagnosisHasNoPositionOfAHiddenSceneAndNeverItsName) {
 }
 
 TEST(Reveal, EvidenceOfAHiddenCrashMayQuoteTheProgram) {
-  Result result = samples::crashed();
+  results::Result result = samples::crashed();
   result.detail = "hidden-low: what(): camera at 1.25";
   result.scenes[0].outcome = "graded";
   result.scenes.push_back({"hidden-low", false, "crash", "what(): camera at 1.25", {}, {}, "", 1});

@@ -70,12 +70,12 @@ Vec floorColour(Vec at, Vec along, const std::array<Ball, 6>& ring, Fault fault)
   return seen ? tile * .45 + *seen * .55 : tile * .8 + Vec{.08, .1, .13};
 }
 
-Frame frame(Fault fault, double time, double turn, double wrong, int width, int height) {
-  Frame made{time,
-             picture(fault, time, turn, width, height),
-             picture(Fault::none, time, turn, width, height),
-             {},
-             wrong};
+results::Frame frame(Fault fault, double time, double turn, double wrong, int width, int height) {
+  results::Frame made{time,
+                      picture(fault, time, turn, width, height),
+                      picture(Fault::none, time, turn, width, height),
+                      {},
+                      wrong};
   made.difference = differencePicture(made.student, made.reference);
   const Flip flip = ldrFlip(made.student, made.reference);
   made.flip = flip.mean;
@@ -83,21 +83,22 @@ Frame frame(Fault fault, double time, double turn, double wrong, int width, int 
   return made;
 }
 
-Item item(const char* id, const char* title, const char* looksAt, ItemKind kind, double points) {
-  Item made;
+results::Item item(const char* id, const char* title, const char* looksAt, results::ItemKind kind,
+                   double points) {
+  results::Item made;
   made.id = id, made.title = title, made.looksAt = looksAt, made.kind = kind, made.points = points;
-  made.earned = kind == ItemKind::keep ? 0 : points;
+  made.earned = kind == results::ItemKind::keep ? 0 : points;
   made.judged = true;
   made.credits = {{"public", 1}, {"hidden-low", 1}, {"hidden-many", 1}};
   made.message = "as good as the reference in 3 scenes";
   return made;
 }
 
-Result base() {
-  Result result;
+results::Result base() {
+  results::Result result;
   result.assignment = "floor", result.part = "mirror";
   result.title = "Mirror reflection through a framebuffer object";
-  result.outcome = Outcome::graded, result.maxScore = 100, result.seed = 8131,
+  result.outcome = results::Outcome::graded, result.maxScore = 100, result.seed = 8131,
   result.sandbox = "bwrap";
   result.timings = {
       {"build", .412}, {"public", .31}, {"hidden-low", .3}, {"hidden-many", .36}, {"judge", .12}};
@@ -107,25 +108,26 @@ Result base() {
                         {"compiler", "g++ 12.2.0"},
                         {"ggrade", "0.1.0"}};
   result.items = {item("mirror.where", "The reflection is where it must be",
-                       "the floor's pixels that see an object", ItemKind::gain, 35),
+                       "the floor's pixels that see an object", results::ItemKind::gain, 35),
                   item("mirror.shading", "The reflection is lit from the right side",
-                       "brightness over the reflected objects", ItemKind::gain, 30),
+                       "brightness over the reflected objects", results::ItemKind::gain, 30),
                   item("mirror.position", "The reflection touches its object",
-                       "where object and reflection meet", ItemKind::gain, 20),
+                       "where object and reflection meet", results::ItemKind::gain, 20),
                   item("mirror.hidden", "Objects hide what is behind them",
-                       "reflections behind objects", ItemKind::gain, 15),
+                       "reflections behind objects", results::ItemKind::gain, 15),
                   item("mirror.keep", "Everything else stays",
-                       "objects, floor and background away from reflections", ItemKind::keep, 30),
+                       "objects, floor and background away from reflections",
+                       results::ItemKind::keep, 30),
                   item("mirror.blur", "The reflection is blurred",
-                       "the width of edges in the reflection", ItemKind::bonus, 10)};
+                       "the width of edges in the reflection", results::ItemKind::bonus, 10)};
   result.items[3].beyondLecture = true;
   return result;
 }
 
-Result unjudged(Outcome outcome, const char* submission, const char* detail) {
-  Result result = base();
+results::Result unjudged(results::Outcome outcome, const char* submission, const char* detail) {
+  results::Result result = base();
   result.outcome = outcome, result.submission = submission, result.detail = detail;
-  for (Item& one : result.items) {
+  for (results::Item& one : result.items) {
     one.judged = false, one.earned = 0, one.message.clear(), one.credits.clear();
   }
   return result;
@@ -153,13 +155,13 @@ Image picture(Fault fault, double time, double turn, int width, int height) {
   return image;
 }
 
-Result perfect(int width, int height) {
-  Result result = base();
+results::Result perfect(int width, int height) {
+  results::Result result = base();
   result.submission = "reference";
   result.score = 100, result.bonus = 10;
   const char* names[] = {"public", "hidden-low", "hidden-many"};
   for (int s = 0; s < 3; ++s) {
-    Scene scene{names[s], s == 0, "graded", "", {}, {}, "", .3};
+    results::Scene scene{names[s], s == 0, "graded", "", {}, {}, "", .3};
     for (const double time : {0.0, 2.5})
       scene.frames.push_back(frame(Fault::none, time, s * .4, 0, width, height));
     result.scenes.push_back(std::move(scene));
@@ -167,13 +169,13 @@ Result perfect(int width, int height) {
   return result;
 }
 
-Result partial(int width, int height) {
-  Result result = perfect(width, height);
+results::Result partial(int width, int height) {
+  results::Result result = perfect(width, height);
   result.submission = "tanaka-42";
   result.score = 61.5, result.bonus = 0;
   const auto lose = [&](std::size_t i, double earned, const char* message, const char* cause,
                         const char* step) {
-    Item& one = result.items[i];
+    results::Item& one = result.items[i];
     one.earned = earned, one.message = message, one.cause = cause, one.step = step;
     one.credits = {{"public", 1},
                    {"hidden-low", one.points > 0 ? std::max(0.0, earned) / one.points : 0},
@@ -208,9 +210,9 @@ Result partial(int width, int height) {
   return result;
 }
 
-Result buildFailed() {
-  Result result = unjudged(
-      Outcome::buildFailed, "build-error",
+results::Result buildFailed() {
+  results::Result result = unjudged(
+      results::Outcome::buildFailed, "build-error",
       "Two errors in floor.cpp. Make it compile with the presets of the assignment first.");
   result.compilerOutput =
       "floor.cpp: In function 'void gg::run(gg::Window&, const gg::Scene&)':\n"
@@ -222,10 +224,11 @@ Result buildFailed() {
   return result;
 }
 
-Result crashed() {
-  Result result = unjudged(Outcome::crash, "crash",
-                           "Signal 11 (SIGSEGV) in the first frame of the scene public. A null "
-                           "pointer or an index out of range is likely.");
+results::Result crashed() {
+  results::Result result =
+      unjudged(results::Outcome::crash, "crash",
+               "Signal 11 (SIGSEGV) in the first frame of the scene public. A null "
+               "pointer or an index out of range is likely.");
   result.scenes = {{"public",
                     true,
                     "crash",
@@ -238,32 +241,33 @@ Result crashed() {
   return result;
 }
 
-Result noFrame() {
-  Result result = unjudged(Outcome::noFrame, "never-swaps",
-                           "The loop ran 400 times and drew 2400 times, but window.swapBuffers() "
-                           "is missing at its end.");
+results::Result noFrame() {
+  results::Result result =
+      unjudged(results::Outcome::noFrame, "never-swaps",
+               "The loop ran 400 times and drew 2400 times, but window.swapBuffers() "
+               "is missing at its end.");
   result.scenes = {
       {"public", true, "no_frame", "", {{0, {}, picture(Fault::none, 0), {}, 1}}, {}, "", 5}};
   return result;
 }
 
-Result hostile() {
+results::Result hostile() {
   const std::string evil =
       "<script>alert('x')</script>\"'&amp; \x1B[31mred\x1B[0m \x1B]0;title\a \xE2\x80\xAE"
       "gnp.exe \xFF\xC0\xAF \x01\x08 {{submission}} ]]>";
   std::string big;
   while (big.size() < (1 << 20)) big += evil + "\r\n";
-  Result result = partial(64, 48);
+  results::Result result = partial(64, 48);
   for (std::string* field : {&result.assignment, &result.part, &result.title, &result.submission,
                              &result.detail, &result.sandbox})
     *field = evil;
-  for (Item& one : result.items) {
+  for (results::Item& one : result.items) {
     for (std::string* field :
          {&one.id, &one.title, &one.looksAt, &one.message, &one.where, &one.cause, &one.step})
       *field = evil;
     one.credits = {{evil, .5}, {"public", .5}};
   }
-  for (Scene& scene : result.scenes) {
+  for (results::Scene& scene : result.scenes) {
     scene.outcome = scene.detail = evil;
     scene.messages = {evil};
     scene.output = big;

@@ -3,7 +3,7 @@
 /// Results with synthetic pictures, as grading makes them: for the tests of the reports, and to
 /// look at.
 
-#include "report/results.hpp"
+#include "results/results.hpp"
 
 namespace ggrade::report::samples {
 
@@ -14,17 +14,17 @@ enum class Fault { none, noReflection, flatReflection, shiftedReflection };
 Image picture(Fault fault, double time, double turn = 0, int width = 640, int height = 480);
 
 /// Everything full, the bonus too. One public scene and two hidden ones, two frames each.
-Result perfect(int width = 640, int height = 480);
+results::Result perfect(int width = 640, int height = 480);
 /// Loses points in the hidden scenes; some of its texts name a hidden scene and a position.
-Result partial(int width = 640, int height = 480);
+results::Result partial(int width = 640, int height = 480);
 /// Compiler output with two errors and a warning, no frames.
-Result buildFailed();
+results::Result buildFailed();
 /// A crash in the first scene.
-Result crashed();
+results::Result crashed();
 /// Never swapped buffers.
-Result noFrame();
+results::Result noFrame();
 /// Every text holds markup, quotes, escape sequences, a right-to-left override or bytes that aren't
 /// UTF-8, and the outputs are 1 MB long.
-Result hostile();
+results::Result hostile();
 
 } // namespace ggrade::report::samples

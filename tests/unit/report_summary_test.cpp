@@ -21,16 +21,17 @@ std::vector<std::string> linesOf(const std::string& text) {
 }
 
 TEST(Outcome, NamesAreTheContracts) {
-  const std::pair<Outcome, const char*> kNames[] = {{Outcome::graded, "graded"},
-                                                    {Outcome::buildFailed, "build_failed"},
-                                                    {Outcome::shaderError, "shader_error"},
-                                                    {Outcome::glError, "gl_error"},
-                                                    {Outcome::noFrame, "no_frame"},
-                                                    {Outcome::timeout, "timeout"},
-                                                    {Outcome::crash, "crash"},
-                                                    {Outcome::outOfMemory, "out_of_memory"},
-                                                    {Outcome::badOutput, "bad_output"},
-                                                    {Outcome::notGradable, "not_gradable"}};
+  const std::pair<results::Outcome, const char*> kNames[] = {
+      {results::Outcome::graded, "graded"},
+      {results::Outcome::buildFailed, "build_failed"},
+      {results::Outcome::shaderError, "shader_error"},
+      {results::Outcome::glError, "gl_error"},
+      {results::Outcome::noFrame, "no_frame"},
+      {results::Outcome::timeout, "timeout"},
+      {results::Outcome::crash, "crash"},
+      {results::Outcome::outOfMemory, "out_of_memory"},
+      {results::Outcome::badOutput, "bad_output"},
+      {results::Outcome::notGradable, "not_gradable"}};
   for (const auto& [outcome, expected] : kNames) {
     EXPECT_EQ(name(outcome), expected);
     EXPECT_THAT(std::string(explanation(outcome)), testing::EndsWith(".")) << expected;
@@ -38,7 +39,7 @@ TEST(Outcome, NamesAreTheContracts) {
 }
 
 TEST(Summary, StandingTellsGainKeepAndBonusApart) {
-  Item item;
+  results::Item item;
   item.points = 10;
   EXPECT_EQ(standing(item), Standing::unjudged);
   item.judged = true;
@@ -49,7 +50,7 @@ TEST(Summary, StandingTellsGainKeepAndBonusApart) {
   EXPECT_EQ(pointsText(item), "4 / 10");
   item.earned = 0;
   EXPECT_EQ(standing(item), Standing::none);
-  item.kind = ItemKind::keep;
+  item.kind = results::ItemKind::keep;
   EXPECT_EQ(standing(item), Standing::full);
   EXPECT_EQ(pointsText(item), "kept");
   item.earned = -10;
@@ -58,7 +59,7 @@ TEST(Summary, StandingTellsGainKeepAndBonusApart) {
 }
 
 TEST(Terminal, BeginsWithTheDiagnosis) {
-  Result result = samples::partial(16, 12);
+  results::Result result = samples::partial(16, 12);
   result.diagnoses = {{"mirror",
                        "The light is not mirrored.",
                        "Step 4: draw the mirrored scene",
@@ -86,7 +87,7 @@ TEST(Terminal, BeginsWithTheDiagnosis) {
 
 TEST(Terminal, JapaneseLinesEndBetweenTheirLetters) {
   const InJapanese japanese;
-  Result result = samples::crashed();
+  results::Result result = samples::crashed();
   result.items.clear();
   result.detail =
       "画像は、手順1から4まで終えたプログラムのものです。glfwSwapBuffersに到達しません。"
@@ -101,7 +102,7 @@ TEST(Terminal, JapaneseLinesEndBetweenTheirLetters) {
 }
 
 TEST(Summary, PerfectIgnoresTheBonusButNotKeepItems) {
-  Result result = samples::perfect(16, 12);
+  results::Result result = samples::perfect(16, 12);
   result.items.back().earned = 0;
   EXPECT_TRUE(perfect(result));
   EXPECT_EQ(headline(result), "Complete: every item holds.");
@@ -111,7 +112,7 @@ TEST(Summary, PerfectIgnoresTheBonusButNotKeepItems) {
 }
 
 TEST(Summary, NamesTheWorstItemsScenesAndFrames) {
-  const Result result = samples::partial(64, 48);
+  const results::Result result = samples::partial(64, 48);
   const auto worst = worstItems(result, 2);
   ASSERT_EQ(worst.size(), 2u);
   EXPECT_EQ(worst[0]->id, "mirror.shading");
@@ -141,7 +142,7 @@ TEST(TerminalTable, SaysPointsMessageCauseAndStep) {
 }
 
 TEST(TerminalTable, HasEscapeSequencesOnlyWhenColourIsAsked) {
-  const Result result = samples::hostile();
+  const results::Result result = samples::hostile();
   EXPECT_THAT(terminalTable(result), Not(HasSubstr("\x1B")));
   EXPECT_THAT(terminalTable(samples::perfect(16, 12), {.colour = true}), HasSubstr("\x1B[32m✓"));
   const std::string table = terminalTable(result);
@@ -149,14 +150,14 @@ TEST(TerminalTable, HasEscapeSequencesOnlyWhenColourIsAsked) {
 }
 
 TEST(TerminalTable, NoLineIsWiderThanAsked) {
-  Result result = samples::partial(16, 12);
+  results::Result result = samples::partial(16, 12);
   result.submission = "田中";
   for (const std::string& line : linesOf(terminalTable(result, {.width = 70})))
     EXPECT_LE(displayWidth(line), 70u) << line;
 }
 
 TEST(TerminalTable, ListAlignsWideNames) {
-  Result wide = samples::perfect(16, 12), plain = samples::noFrame();
+  results::Result wide = samples::perfect(16, 12), plain = samples::noFrame();
   wide.submission = "田中太郎";
   const std::vector<Summary> all = {summarize(wide), summarize(plain)};
   const auto lines = linesOf(terminalTable(all, {.width = 90}));
@@ -171,8 +172,8 @@ TEST(TerminalTable, ListAlignsWideNames) {
 }
 
 TEST(TerminalTable, NotGradableShowsNoScore) {
-  Result result = samples::noFrame();
-  result.outcome = Outcome::notGradable;
+  results::Result result = samples::noFrame();
+  result.outcome = results::Outcome::notGradable;
   EXPECT_THAT(terminalTable(result), HasSubstr("no score"));
   EXPECT_THAT(terminalTable(result), Not(HasSubstr("0 / 100")));
 }

@@ -17,7 +17,7 @@ ItemDeclaration item(const std::string& id, const std::string& after,
                      std::vector<std::string> scenes = {"lecture"}) {
   ItemDeclaration declared;
   declared.id = id;
-  declared.kind = report::ItemKind::gain;
+  declared.kind = results::ItemKind::gain;
   declared.points = 20;
   declared.after = after;
   declared.scenes = std::move(scenes);

@@ -46,7 +46,7 @@ protected:
 TEST_F(TraceEvidence, ReachesTheJudge) {
   ItemDeclaration item;
   item.id = "mirror.texture";
-  item.kind = report::ItemKind::gain;
+  item.kind = results::ItemKind::gain;
   item.points = 10;
   item.scenes = {"lecture"};
   std::vector<std::uint32_t> draws;

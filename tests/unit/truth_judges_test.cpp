@@ -31,7 +31,7 @@ truth::Rendered perfect(const std::string& part, const json& change = json::obje
   return rendered;
 }
 
-double error(const truth::Answer& answer, const std::string& name) {
+double error(const truth::Judgement& answer, const std::string& name) {
   for (const truth::Error& one : answer.errors)
     if (one.name == name) return one.value;
   ADD_FAILURE() << "no error is named " << name;
@@ -58,7 +58,7 @@ TEST(TruthJudges, TheFirstErrorIsWhatSettingsAreComparedBy) {
 TEST(TruthJudges, MirrorMeasuresTheWindowsValues) {
   truth::Rendered rendered = perfect("mirror");
   for (float& value : rendered.window.values()) value += 0.25f;
-  const truth::Answer answer = truth::judgeOf("mirror")(rendered);
+  const truth::Judgement answer = truth::judgeOf("mirror")(rendered);
   EXPECT_NEAR(error(answer, "reflection RMSE"), 0.25, 1e-6);
   EXPECT_NEAR(error(answer, "edge RMSE"), 0.25, 1e-6);
   EXPECT_NEAR(double(answer.difference.at(80, 110, 1)), 1, 1e-6) << "four times as strong";
@@ -77,14 +77,14 @@ TEST(TruthJudges, MirrorLeavesOutEdgesAndWhatIsNoFloor) {
     for (int x = 1; x < kWidth; ++x)
       for (int c = 0; c < 3; ++c) moved.at(x, y, c) = right.at(x - 1, y, c);
   rendered.window = moved;
-  const truth::Answer answer = truth::judgeOf("mirror")(rendered);
+  const truth::Judgement answer = truth::judgeOf("mirror")(rendered);
   EXPECT_GT(error(answer, "edge RMSE"), 0.01);
   EXPECT_GT(error(answer, "edge RMSE"), error(answer, "reflection RMSE"));
 }
 
 TEST(TruthJudges, ABlurredReflectionIsAnotherTruth) {
-  const truth::Answer sharp = truth::judgeOf("mirror")(black("mirror"));
-  const truth::Answer blurred =
+  const truth::Judgement sharp = truth::judgeOf("mirror")(black("mirror"));
+  const truth::Judgement blurred =
       truth::judgeOf("mirror")(black("mirror", {{"mirror", {{"blur", 0.05}}}}));
   double apart = 0;
   for (std::size_t i = 0; i < sharp.truth.values().size(); ++i)
@@ -96,14 +96,14 @@ TEST(TruthJudges, ShadowCountsWrongPixelsBySide) {
   // All light: what is in shadow is false light, and nothing else.
   truth::Rendered rendered = perfect("shadow");
   rendered.window = perfect("mirror", {{"effects", {{"mirror", false}}}}).window;
-  const truth::Answer lit = truth::judgeOf("shadow")(rendered);
+  const truth::Judgement lit = truth::judgeOf("shadow")(rendered);
   EXPECT_EQ(error(lit, "false light"), 1);
   EXPECT_EQ(error(lit, "false shadow"), 0);
   EXPECT_EQ(error(lit, "false shadow or light"), 1);
   EXPECT_GT(error(lit, "wrong pixels"), 0.02);
   EXPECT_LT(error(lit, "wrong pixels"), 0.5);
   // All dark.
-  const truth::Answer dark = truth::judgeOf("shadow")(black("shadow"));
+  const truth::Judgement dark = truth::judgeOf("shadow")(black("shadow"));
   EXPECT_EQ(error(dark, "false light"), 0);
   EXPECT_EQ(error(dark, "false shadow"), 1);
   EXPECT_NEAR(error(dark, "wrong pixels") + error(lit, "wrong pixels"), 1, 1e-12);
@@ -130,7 +130,7 @@ TEST(TruthJudges, ShadowForgivesEdgesByTheMapsTexel) {
 TEST(TruthJudges, ASoftShadowIsAnotherTruth) {
   truth::Rendered rendered = perfect("shadow"); // of a point
   rendered.truth = {{"light_radius", 0.2}};
-  const truth::Answer soft = truth::judgeOf("shadow")(rendered);
+  const truth::Judgement soft = truth::judgeOf("shadow")(rendered);
   EXPECT_GT(error(soft, "penumbra RMSE"), 0.05);
   EXPECT_LT(error(soft, "soft RMSE"), error(soft, "penumbra RMSE") / 2);
   rendered.window = soft.truth;

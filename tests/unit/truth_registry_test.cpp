@@ -8,11 +8,11 @@ using namespace ggrade;
 namespace {
 
 /// The mean of the red channel.
-truth::Answer redness(const truth::Rendered& rendered) {
+truth::Judgement redness(const truth::Rendered& rendered) {
   double sum = 0;
   for (int y = 0; y < rendered.window.height(); ++y)
     for (int x = 0; x < rendered.window.width(); ++x) sum += rendered.window.at(x, y, 0);
-  truth::Answer answer;
+  truth::Judgement answer;
   answer.errors = {{"redness", sum / double(rendered.window.pixelCount())}};
   return answer;
 }
@@ -22,7 +22,7 @@ GGRADE_TRUTH("placeholder", redness);
 TEST(Truth, AsksTheJudgeOfThePart) {
   truth::Rendered rendered;
   rendered.window = Image(4, 2, 4, 0.25f);
-  const truth::Answer answer = truth::judgeOf("placeholder")(rendered);
+  const truth::Judgement answer = truth::judgeOf("placeholder")(rendered);
   ASSERT_EQ(answer.errors.size(), 1u);
   EXPECT_EQ(answer.errors[0].name, "redness");
   EXPECT_DOUBLE_EQ(answer.errors[0].value, 0.25);

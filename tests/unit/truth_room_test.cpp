@@ -136,14 +136,14 @@ truth::Rendered rendered(const json& change = json::object()) {
   return {sceneWith(change), 0, Image(160, 120, 4), nullptr};
 }
 
-double error(const truth::Answer& answer, const std::string& name) {
+double error(const truth::Judgement& answer, const std::string& name) {
   for (const truth::Error& one : answer.errors)
     if (one.name == name) return one.value;
   ADD_FAILURE() << "no error is named " << name;
   return std::nan("");
 }
 
-truth::Answer judged(const truth::Rendered& rendered) {
+truth::Judgement judged(const truth::Rendered& rendered) {
   return truth::judgeOf("shadow_volume")(rendered);
 }
 
@@ -151,7 +151,7 @@ TEST(TruthRoom, TheTruthHasNoError) {
   for (const char* mesh : {"blocks", "torus_knot", "none"}) {
     truth::Rendered right = rendered({{"mesh", mesh}});
     right.window = judged(right).truth;
-    const truth::Answer answer = judged(right);
+    const truth::Judgement answer = judged(right);
     EXPECT_EQ(answer.errors.at(0).name, "wrong pixels");
     for (const truth::Error& one : answer.errors) EXPECT_EQ(one.value, 0) << mesh << one.name;
   }
@@ -165,7 +165,7 @@ TEST(TruthRoom, WrongPixelsAreCountedBySide) {
   const double share = error(judged(lit), "wrong pixels");
   EXPECT_GT(share, 0.01);
   EXPECT_LT(share, 0.5);
-  const truth::Answer dark = judged(rendered()); // black
+  const truth::Judgement dark = judged(rendered()); // black
   EXPECT_EQ(error(dark, "false light"), 0);
   EXPECT_EQ(error(dark, "false shadow"), 1);
   EXPECT_NEAR(error(dark, "wrong pixels"), 1 - share, 1e-12);

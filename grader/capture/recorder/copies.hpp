@@ -2,7 +2,7 @@
 /// \file
 /// Reads images back as they are stored, leaving the program's state as it was.
 
-#include "capture/recorder/read_state.hpp"
+#include "capture/recorder/pixel_state.hpp"
 #include "capture/recorder/table_writer.hpp"
 #include "trace/records.hpp"
 
