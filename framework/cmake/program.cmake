@@ -10,7 +10,7 @@ function(gg_program target folder id output_folder)
   endif()
   target_precompile_headers(${target} REUSE_FROM gg_header)
   # $<1:...> keeps Visual Studio and Xcode from adding a folder for the configuration.
-  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${id}
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${id} UNITY_BUILD OFF
     RUNTIME_OUTPUT_DIRECTORY $<1:${output_folder}>
     VS_DEBUGGER_WORKING_DIRECTORY ${output_folder})
 

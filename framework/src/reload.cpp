@@ -14,11 +14,11 @@ namespace gg::detail {
 
 namespace {
 
-struct Live {
+struct WatchedProgram {
   std::weak_ptr<ProgramState> state;
   std::string error; // of the files as they stand
 };
-std::vector<Live> live;
+std::vector<WatchedProgram> watchedPrograms;
 
 // Was one of the program's files saved? Takes note of when.
 bool isChanged(ProgramState& state) {
@@ -58,11 +58,11 @@ bool isTime() {
 } // namespace
 
 void lookAfter(const std::shared_ptr<ProgramState>& state) {
-  live.push_back({state, {}});
+  watchedPrograms.push_back({state, {}});
 }
 
 std::string labelOf(GLuint program) {
-  for (const Live& one : live)
+  for (const WatchedProgram& one : watchedPrograms)
     if (const auto state = one.state.lock(); state && static_cast<GLuint>(state->name) == program)
       return state->label();
   return say("program {}", program);
@@ -71,8 +71,8 @@ std::string labelOf(GLuint program) {
 Reloaded reloadPrograms() {
   Reloaded reloaded;
   const bool look = isTime();
-  std::erase_if(live, [](const Live& one) { return one.state.expired(); });
-  for (Live& one : live) {
+  std::erase_if(watchedPrograms, [](const WatchedProgram& one) { return one.state.expired(); });
+  for (WatchedProgram& one : watchedPrograms) {
     const std::shared_ptr<ProgramState> state = one.state.lock();
     if (look && isChanged(*state)) {
       try {

@@ -15,14 +15,13 @@ namespace ggrade::batch {
 
 namespace fs = std::filesystem;
 using report::ClassRow;
-using results::Outcome;
 
 namespace {
 
 gradebook::MachineScore machineScore(const ClassRow& row) {
   gradebook::MachineScore machine;
   machine.student = row.student;
-  if (row.outcome != Outcome::notGradable) machine.score = row.score + row.bonus;
+  if (row.outcome != results::Outcome::notGradable) machine.score = row.score + row.bonus;
   for (const report::ClassItem& item : row.items)
     machine.items.push_back({item.id, item.earned, item.points});
   return machine;
@@ -46,7 +45,7 @@ std::vector<gradebook::Entry> entriesOf(const std::vector<Record>& records,
     gradebook::Entry entry;
     entry.student = row.student;
     entry.name = row.name;
-    if (row.outcome != Outcome::notGradable || !row.adjustments.empty())
+    if (row.outcome != results::Outcome::notGradable || !row.adjustments.empty())
       entry.score = row.finalScore + row.penalty;
     entry.maxScore = row.maxScore;
     entry.penalty = row.penalty;

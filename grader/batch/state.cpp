@@ -70,7 +70,7 @@ void saveState(const fs::path& out, const State& state) {
 
 Lock::Lock(const fs::path& out) {
   const fs::path path = out / kLock;
-  file_ = open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+  file_ = ::open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
   if (file_ < 0)
     throw UsageError(fmt::format("can't write to {}: {}", out.string(), std::strerror(errno)));
   if (flock(file_, LOCK_EX | LOCK_NB) == 0) return;

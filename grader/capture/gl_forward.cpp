@@ -57,6 +57,13 @@ GlFunction realGlFunction(const char* name) {
   return OsmesaContext::function(name);
 }
 
+int integer(unsigned int name) {
+  static const auto getIntegerv = real<void (*)(unsigned int, int*)>("glGetIntegerv");
+  int value = 0;
+  getIntegerv(name, &value);
+  return value;
+}
+
 GlFunction glFunction(const char* name) {
   if (const GlFunction function = served(name)) return function;
   const char* const* const found = findName(name);

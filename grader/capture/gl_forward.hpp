@@ -19,4 +19,7 @@ template <typename Function> Function real(const char* name) {
   return reinterpret_cast<Function>(realGlFunction(name));
 }
 
+/// A number of the current context's state (GLint, GLenum), asked of OSMesa itself.
+int integer(unsigned int name);
+
 } // namespace ggrade::capture

@@ -38,7 +38,7 @@ const char* noServerString(void* /*display*/, int /*screen*/, int /*name*/) {
   return "";
 }
 
-const Hook kHooks[] = {
+const Hook kGlxHooks[] = {
     {"glXGetProcAddress", reinterpret_cast<GlFunction>(getProcAddress), nullptr},
     {"glXGetProcAddressARB", reinterpret_cast<GlFunction>(getProcAddress), nullptr},
     {"glXGetCurrentContext", reinterpret_cast<GlFunction>(getCurrentContext), nullptr},
@@ -52,7 +52,7 @@ const Hook kHooks[] = {
 } // namespace
 
 std::span<const Hook> glxHooks() {
-  return kHooks;
+  return kGlxHooks;
 }
 
 } // namespace ggrade::capture

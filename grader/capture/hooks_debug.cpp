@@ -13,7 +13,7 @@ namespace ggrade::capture {
 namespace {
 
 constexpr std::size_t kMaxLogged = 10; // GL_MAX_DEBUG_LOGGED_MESSAGES here
-thread_local ContextState* current = nullptr;
+thread_local ContextState* currentContext = nullptr;
 
 void APIENTRY receive(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length,
                       const GLchar* text, const void* user) {
@@ -39,9 +39,9 @@ void APIENTRY receive(GLenum source, GLenum type, GLuint id, GLenum severity, GL
 decltype(&glDebugMessageCallback) nextCallback, nextCallbackArb;
 
 void setCallback(GLDEBUGPROC callback, const void* user, decltype(&glDebugMessageCallback) next) {
-  if (!current) return next(callback, user);
-  current->debug.callback = callback;
-  current->debug.userParam = user;
+  if (!currentContext) return next(callback, user);
+  currentContext->debug.callback = callback;
+  currentContext->debug.userParam = user;
 }
 void APIENTRY hookCallback(GLDEBUGPROC callback, const void* user) {
   setCallback(callback, user, nextCallback);
@@ -52,9 +52,9 @@ void APIENTRY hookCallbackArb(GLDEBUGPROC callback, const void* user) {
 
 /// The program's copy of a switch that GL itself must keep on; null for all others.
 bool* keptSwitch(GLenum name) {
-  if (!current) return nullptr;
-  if (name == GL_DEBUG_OUTPUT) return &current->debug.output;
-  if (name == GL_DEBUG_OUTPUT_SYNCHRONOUS) return &current->debug.synchronous;
+  if (!currentContext) return nullptr;
+  if (name == GL_DEBUG_OUTPUT) return &currentContext->debug.output;
+  if (name == GL_DEBUG_OUTPUT_SYNCHRONOUS) return &currentContext->debug.synchronous;
   return nullptr;
 }
 
@@ -84,10 +84,10 @@ GLboolean APIENTRY hookIsEnabled(GLenum name) {
 
 decltype(&glGetPointerv) nextGetPointerv;
 void APIENTRY hookGetPointerv(GLenum name, void** value) {
-  if (current && value && name == GL_DEBUG_CALLBACK_FUNCTION) {
-    *value = reinterpret_cast<void*>(current->debug.callback);
-  } else if (current && value && name == GL_DEBUG_CALLBACK_USER_PARAM) {
-    *value = const_cast<void*>(current->debug.userParam);
+  if (currentContext && value && name == GL_DEBUG_CALLBACK_FUNCTION) {
+    *value = reinterpret_cast<void*>(currentContext->debug.callback);
+  } else if (currentContext && value && name == GL_DEBUG_CALLBACK_USER_PARAM) {
+    *value = const_cast<void*>(currentContext->debug.userParam);
   } else {
     nextGetPointerv(name, value);
   }
@@ -97,8 +97,8 @@ void APIENTRY hookGetPointerv(GLenum name, void** value) {
 /// null.
 GLuint APIENTRY hookGetLog(GLuint count, GLsizei size, GLenum* sources, GLenum* types, GLuint* ids,
                            GLenum* severities, GLsizei* lengths, GLchar* texts) {
-  if (!current) return 0;
-  std::deque<DebugState::Logged>& log = current->debug.log;
+  if (!currentContext) return 0;
+  std::deque<DebugState::Logged>& log = currentContext->debug.log;
   GLuint taken = 0;
   for (; taken < count && !log.empty(); ++taken) {
     const DebugState::Logged& message = log.front();
@@ -119,7 +119,7 @@ GLuint APIENTRY hookGetLog(GLuint count, GLsizei size, GLenum* sources, GLenum* 
   return taken;
 }
 
-const Hook kHooks[] = {
+const Hook kDebugHooks[] = {
     GG_HOOK(glDebugMessageCallback, hookCallback, nextCallback),
     GG_HOOK(glDebugMessageCallbackARB, hookCallbackArb, nextCallbackArb),
     GG_HOOK(glEnable, hookEnable, nextEnable),
@@ -133,7 +133,7 @@ const Hook kHooks[] = {
 } // namespace
 
 std::span<const Hook> debugHooks() {
-  return kHooks;
+  return kDebugHooks;
 }
 
 bool debugInteger(const DebugState& debug, GLenum name, GLint& value) {
@@ -156,10 +156,10 @@ bool debugInteger(const DebugState& debug, GLenum name, GLint& value) {
 }
 
 ContextState* currentState() {
-  return current;
+  return currentContext;
 }
 void setCurrentState(ContextState* state) {
-  current = state;
+  currentContext = state;
 }
 
 void installDebugCallback(ContextState& state) {

@@ -171,7 +171,7 @@ constexpr auto blittingNamed = [](GLuint from, GLuint to, GLint, GLint, GLint, G
   return Blitted();
 };
 
-const Hook kHooks[] = {
+const Hook kDrawHooks[] = {
     GG_AROUND(glDrawArrays, arrays),
     GG_AROUND(glDrawArraysEXT, arrays),
     GG_AROUND(glDrawArraysIndirect, modeOnly),
@@ -246,7 +246,7 @@ const Hook kHooks[] = {
 } // namespace
 
 std::span<const Hook> drawHooks() {
-  return kHooks;
+  return kDrawHooks;
 }
 
 } // namespace ggrade::capture

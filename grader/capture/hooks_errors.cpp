@@ -58,12 +58,12 @@ GLenum APIENTRY hookGetError() {
   return kept != GL_NO_ERROR ? kept : error; // one flag: the first error stays until it is read
 }
 
-const Hook kHooks[] = {{"glGetError", reinterpret_cast<GlFunction>(hookGetError), nullptr}};
+const Hook kErrorHooks[] = {{"glGetError", reinterpret_cast<GlFunction>(hookGetError), nullptr}};
 
 } // namespace
 
 std::span<const Hook> errorHooks() {
-  return kHooks;
+  return kErrorHooks;
 }
 
 GLenum collectError(ContextState& state) {

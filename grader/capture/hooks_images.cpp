@@ -88,7 +88,7 @@ GLuint APIENTRY hookCreateShaderProgram(GLenum type, GLsizei count, const GLchar
   return program;
 }
 
-const Hook kHooks[] = {
+const Hook kImageHooks[] = {
     GG_AROUND(glCopyTexImage1D, copyBound),
     GG_AROUND(glCopyTexImage2D, copyBound),
     GG_AROUND(glCopyTexSubImage1D, copyBound),
@@ -167,7 +167,7 @@ const Hook kHooks[] = {
 } // namespace
 
 std::span<const Hook> imageHooks() {
-  return recordsPasses ? std::span<const Hook>(kHooks) : std::span<const Hook>();
+  return recordsPasses ? std::span<const Hook>(kImageHooks) : std::span<const Hook>();
 }
 
 } // namespace ggrade::capture

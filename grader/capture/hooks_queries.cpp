@@ -9,13 +9,6 @@
 namespace ggrade::capture {
 namespace {
 
-GLint integer(GLenum name) {
-  static const auto getIntegerv = real<decltype(&glGetIntegerv)>("glGetIntegerv");
-  GLint value = 0;
-  getIntegerv(name, &value);
-  return value;
-}
-
 /// The window's one buffer under the name that the program gave it (hooks_window_buffers.cpp).
 GLint programsName(GLint buffer) {
   return buffer == GL_FRONT || buffer == GL_FRONT_LEFT ? GL_BACK : buffer;
@@ -56,7 +49,7 @@ template <typename Value> struct Get {
   }
 };
 
-const Hook kHooks[] = {
+const Hook kQueryHooks[] = {
     GG_HOOK(glGetBooleanv, Get<GLboolean>::call, Get<GLboolean>::next),
     GG_HOOK(glGetDoublev, Get<GLdouble>::call, Get<GLdouble>::next),
     GG_HOOK(glGetFloatv, Get<GLfloat>::call, Get<GLfloat>::next),
@@ -67,7 +60,7 @@ const Hook kHooks[] = {
 } // namespace
 
 std::span<const Hook> queryHooks() {
-  return kHooks;
+  return kQueryHooks;
 }
 
 } // namespace ggrade::capture

@@ -55,7 +55,7 @@ void APIENTRY hookGetShaderiv(GLuint shader, GLenum name, GLint* value) {
   nextGetShaderiv(shader, name, value);
 }
 
-const Hook kHooks[] = {
+const Hook kShaderTimeHooks[] = {
     GG_HOOK(glCompileShader, hookCompileShader, nextCompileShader),
     GG_HOOK(glLinkProgram, hookLinkProgram, nextLinkProgram),
     GG_HOOK(glCreateShaderProgramv, hookCreateShaderProgramv, nextCreateShaderProgramv),
@@ -66,7 +66,7 @@ const Hook kHooks[] = {
 } // namespace
 
 std::span<const Hook> shaderTimeHooks() {
-  return kHooks;
+  return kShaderTimeHooks;
 }
 
 } // namespace ggrade::capture

@@ -71,7 +71,7 @@ void APIENTRY hookNamedDrawBuffers(GLuint framebuffer, GLsizei count, const GLen
   nextNamedDrawBuffers(framebuffer, count, fronts(count, buffers).data());
 }
 
-const Hook kHooks[] = {
+const Hook kWindowBufferHooks[] = {
     GG_HOOK(glDrawBuffer, hookDrawBuffer, nextDrawBuffer),
     GG_HOOK(glReadBuffer, hookReadBuffer, nextReadBuffer),
     GG_HOOK(glDrawBuffers, hookDrawBuffers, nextDrawBuffers),
@@ -83,7 +83,7 @@ const Hook kHooks[] = {
 } // namespace
 
 std::span<const Hook> windowBufferHooks() {
-  return kHooks;
+  return kWindowBufferHooks;
 }
 
 } // namespace ggrade::capture

@@ -20,7 +20,6 @@ ProcOffset findProcOffset() {
 
 struct Gl {
   decltype(&glFinish) finish = real<decltype(&glFinish)>("glFinish");
-  decltype(&glGetIntegerv) getIntegerv = real<decltype(&glGetIntegerv)>("glGetIntegerv");
   decltype(&glDrawBuffer) drawBuffer = real<decltype(&glDrawBuffer)>("glDrawBuffer");
   decltype(&glReadBuffer) readBuffer = real<decltype(&glReadBuffer)>("glReadBuffer");
   PFNGLBINDFRAMEBUFFERPROC bindFramebuffer = real<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer");
@@ -29,12 +28,6 @@ struct Gl {
 const Gl& gl() {
   static const Gl functions;
   return functions;
-}
-
-GLint integer(GLenum name) {
-  GLint value = 0;
-  gl().getIntegerv(name, &value);
-  return value;
 }
 
 /// Binds the window for drawing and reading, and what was bound before when it goes out of scope.

@@ -11,10 +11,8 @@
 namespace ggrade::gradebook {
 namespace {
 
-constexpr std::size_t kNone = std::string::npos;
-
-struct Places {
-  std::size_t id, login, assignment, pointsRow; // login: kNone if there is none
+struct CanvasColumns {
+  std::size_t id, login, assignment, pointsRow; // login: kNoColumn if there is none
   bool hasLastName;                             // LastName,FirstName in place of Student
 };
 
@@ -27,7 +25,7 @@ struct Places {
 std::size_t columnCalled(const Csv& csv, const std::string& header) {
   for (std::size_t column = 0; column < csv.columns(0); ++column)
     if (foldedHeader(csv.cell(0, column)) == header) return column;
-  return kNone;
+  return kNoColumn;
 }
 
 // "Floor" for "Floor (12345)"; the header itself if it has no number.
@@ -57,13 +55,13 @@ std::size_t assignmentColumn(const Csv& csv, const std::string& fileName,
                                wanted, wanted, headers(csv, 0)));
 }
 
-Places places(const Csv& csv, const std::string& fileName, const std::string& assignment) {
+CanvasColumns places(const Csv& csv, const std::string& fileName, const std::string& assignment) {
   if (csv.rows() == 0) noGradebook(fileName, "it is empty");
   const bool hasLastName = foldedHeader(csv.cell(0, 0)) == "lastname";
   if (!hasLastName && foldedHeader(csv.cell(0, 0)) != "student")
     noGradebook(fileName, "the first column is not \"Student\"");
   const std::size_t id = columnCalled(csv, "id");
-  if (id == kNone) noGradebook(fileName, "there is no column \"ID\"");
+  if (id == kNoColumn) noGradebook(fileName, "there is no column \"ID\"");
   for (std::size_t row = 1; row < csv.rows(); ++row)
     if (foldedHeader(csv.cell(row, 0)) == "points possible")
       return {id, columnCalled(csv, "sis login id"), assignmentColumn(csv, fileName, assignment),
@@ -71,7 +69,7 @@ Places places(const Csv& csv, const std::string& fileName, const std::string& as
   noGradebook(fileName, "there is no row \"Points Possible\"");
 }
 
-MarkedNumber pointsPossible(const Csv& csv, const std::string& fileName, const Places& at) {
+MarkedNumber pointsPossible(const Csv& csv, const std::string& fileName, const CanvasColumns& at) {
   const std::string cell = cellOf(csv, at.pointsRow, at.assignment);
   const std::string header = report::sanitizeLine(csv.cell(0, at.assignment));
   if (foldedHeader(cell).find("read only") != std::string::npos)
@@ -88,17 +86,17 @@ MarkedNumber pointsPossible(const Csv& csv, const std::string& fileName, const P
 }
 
 // A row above the students' says which assignments are posted manually: it names no one.
-bool isStudent(const Csv& csv, std::size_t row, const Places& at) {
+bool isStudent(const Csv& csv, std::size_t row, const CanvasColumns& at) {
   return row != at.pointsRow && !cellOf(csv, row, 0).empty();
 }
 
-bool isTestStudent(const Csv& csv, std::size_t row, const Places& at) {
+bool isTestStudent(const Csv& csv, std::size_t row, const CanvasColumns& at) {
   const std::string name = foldedHeader(cellOf(csv, row, 0));
   if (at.hasLastName) return name == "student" && foldedHeader(cellOf(csv, row, 1)) == "test";
   return name == "student, test" || name == "test student";
 }
 
-std::vector<StudentRow> studentRows(const Csv& csv, const Places& at,
+std::vector<StudentRow> studentRows(const Csv& csv, const CanvasColumns& at,
                                     std::vector<std::string>& remarks) {
   std::vector<StudentRow> rows;
   for (std::size_t row = 1; row < csv.rows(); ++row) {
@@ -118,7 +116,7 @@ std::vector<StudentRow> studentRows(const Csv& csv, const Places& at,
   return rows;
 }
 
-void fillRow(Csv& csv, const StudentRow& row, const Entry& entry, const Places& at,
+void fillRow(Csv& csv, const StudentRow& row, const Entry& entry, const CanvasColumns& at,
              const MarkedNumber& max, std::vector<std::string>& remarks) {
   const auto left = [&](const std::string& why) {
     remarks.push_back(fmt::format("{}: {}, left as it is", row.shown, why));
@@ -137,7 +135,7 @@ Filled fillCanvas(std::string_view bytes, const std::string& fileName,
                   const std::vector<Entry>& entries, const std::string& assignment) {
   checkNumbers(entries);
   Csv csv(bytes, fileName);
-  const Places at = places(csv, fileName, assignment);
+  const CanvasColumns at = places(csv, fileName, assignment);
   const MarkedNumber max = pointsPossible(csv, fileName, at);
   Filled filled;
   std::vector<StudentRow> rows = studentRows(csv, at, filled.remarks);

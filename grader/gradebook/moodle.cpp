@@ -11,8 +11,6 @@
 namespace ggrade::gradebook {
 namespace {
 
-constexpr std::size_t kNone = std::string::npos;
-
 using Names = std::vector<std::string>;
 
 // In lower case, as in Moodle's language packs (mod_assign, assignfeedback_comments) of English and
@@ -26,8 +24,8 @@ const Names kScale = {"scale", "評価尺度"};
 // Moodle's Japanese pack has kept "No".
 const Names kNo = {"no", "いいえ", "不可"};
 
-struct Places {
-  std::size_t identifier, grade, feedback, max, changeable; // kNone: there is no such column
+struct MoodleColumns {
+  std::size_t identifier, grade, feedback, max, changeable; // kNoColumn: there is no such column
 };
 
 bool isIn(const Names& names, const std::string& name) {
@@ -38,10 +36,10 @@ bool isIn(const Names& names, const std::string& name) {
 std::size_t place(const Csv& csv, const std::string& fileName, const std::string& role,
                   const std::string& named, const Names& known) {
   const Names wanted = named.empty() ? known : Names{foldedHeader(named)};
-  std::size_t found = kNone;
+  std::size_t found = kNoColumn;
   for (std::size_t column = 0; column < csv.columns(0); ++column) {
     if (!isIn(wanted, foldedHeader(csv.cell(0, column)))) continue;
-    if (found != kNone)
+    if (found != kNoColumn)
       throw UsageError(fmt::format("{}: both \"{}\" and \"{}\" could be the column {}: name one "
                                    "with --columns {}=HEADER, or "
                                    "rename the other",
@@ -49,7 +47,7 @@ std::size_t place(const Csv& csv, const std::string& fileName, const std::string
                                    report::sanitizeLine(csv.cell(0, column)), role, role));
     found = column;
   }
-  if (found == kNone && !named.empty())
+  if (found == kNoColumn && !named.empty())
     throw UsageError(fmt::format("{}: --columns {}={}: there is no such column; there are {}",
                                  fileName, role, named, headers(csv, 0)));
   return found;
@@ -58,17 +56,17 @@ std::size_t place(const Csv& csv, const std::string& fileName, const std::string
 std::size_t needed(const Csv& csv, const std::string& fileName, const std::string& role,
                    const std::string& named, const Names& known) {
   const std::size_t found = place(csv, fileName, role, named, known);
-  if (found == kNone)
+  if (found == kNoColumn)
     throw UsageError(fmt::format("{}: no column is called {}: name it with --columns {}=HEADER; "
                                  "there are {}",
                                  fileName, fmt::join(known, ", "), role, headers(csv, 0)));
   return found;
 }
 
-Places places(const Csv& csv, const std::string& fileName, const Columns& columns) {
+MoodleColumns places(const Csv& csv, const std::string& fileName, const Columns& columns) {
   if (csv.rows() == 0)
     throw UsageError(fileName + ": the worksheet is empty: export it from Moodle again");
-  if (columns.max.empty() && place(csv, fileName, "scale", "", kScale) != kNone)
+  if (columns.max.empty() && place(csv, fileName, "scale", "", kScale) != kNoColumn)
     throw UsageError(fileName + ": the assignment is graded on a scale of words: let Moodle grade "
                                 "it with points, and export the worksheet again");
   return {needed(csv, fileName, "identifier", columns.identifier, kIdentifier),
@@ -78,13 +76,13 @@ Places places(const Csv& csv, const std::string& fileName, const Columns& column
           place(csv, fileName, "changeable", "", kChangeable)};
 }
 
-std::vector<StudentRow> studentRows(const Csv& csv, const Places& at,
+std::vector<StudentRow> studentRows(const Csv& csv, const MoodleColumns& at,
                                     std::vector<std::string>& remarks) {
   std::vector<StudentRow> rows;
   for (std::size_t row = 1; row < csv.rows(); ++row) {
     if (csv.isBlank(row)) continue;
     const std::size_t cells = csv.columns(row);
-    const std::size_t feedback = at.feedback == kNone ? 0 : at.feedback;
+    const std::size_t feedback = at.feedback == kNoColumn ? 0 : at.feedback;
     if (cells <= std::max({at.identifier, at.grade, at.max, feedback})) {
       remarks.push_back(fmt::format("line {}: only {} of {} cells, left as it is", csv.line(row),
                                     cells, csv.columns(0)));
@@ -99,11 +97,11 @@ std::vector<StudentRow> studentRows(const Csv& csv, const Places& at,
   return rows;
 }
 
-bool isLocked(const Csv& csv, std::size_t row, const Places& at) {
+bool isLocked(const Csv& csv, std::size_t row, const MoodleColumns& at) {
   return at.changeable < csv.columns(row) && isIn(kNo, foldedHeader(csv.cell(row, at.changeable)));
 }
 
-void fillRow(Csv& csv, const StudentRow& row, const Entry& entry, const Places& at,
+void fillRow(Csv& csv, const StudentRow& row, const Entry& entry, const MoodleColumns& at,
              std::vector<std::string>& remarks) {
   const auto left = [&](const std::string& why) {
     remarks.push_back(fmt::format("{}: {}, left as it is", row.shown, why));
@@ -121,7 +119,7 @@ void fillRow(Csv& csv, const StudentRow& row, const Entry& entry, const Places& 
     remarks.push_back(fmt::format("{}: {} of {} points are written as the maximum", row.shown,
                                   writeNumber(*finalScore(entry)), writeNumber(entry.maxScore)));
   writeGrade(csv, row, at.grade, std::min(share, 1.0) * max->value, *max, remarks);
-  if (entry.feedback.empty() || at.feedback == kNone) return;
+  if (entry.feedback.empty() || at.feedback == kNoColumn) return;
   const std::string feedback = feedbackCell(entry.feedback);
   const std::string before = csv.cell(row.row, at.feedback);
   if (!trimmed(before).empty() && before != feedback)
@@ -159,13 +157,13 @@ Filled fillMoodle(std::string_view bytes, const std::string& fileName,
                   const std::vector<Entry>& entries, const Columns& columns) {
   checkNumbers(entries);
   Csv csv(bytes, fileName);
-  const Places at = places(csv, fileName, columns);
+  const MoodleColumns at = places(csv, fileName, columns);
   Filled filled;
   const std::vector<StudentRow> rows = studentRows(csv, at, filled.remarks);
   const std::vector<const Entry*> uploads = uploadsOf(rows, entries, fileName, filled.remarks);
-  if (at.feedback == kNone && std::any_of(entries.begin(), entries.end(), [](const Entry& entry) {
-        return !entry.feedback.empty();
-      }))
+  if (at.feedback == kNoColumn &&
+      std::any_of(entries.begin(), entries.end(),
+                  [](const Entry& entry) { return !entry.feedback.empty(); }))
     filled.remarks.push_back("the worksheet has no column for feedback, so that none is written: "
                              "switch \"Feedback comments\" on in Moodle, or name it with "
                              "--columns feedback=HEADER");

@@ -8,6 +8,9 @@
 
 namespace ggrade::gradebook {
 
+/// In place of a column: there is none.
+constexpr std::size_t kNoColumn = std::string::npos;
+
 /// A student's row.
 struct StudentRow {
   std::size_t row = 0;

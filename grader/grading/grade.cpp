@@ -66,7 +66,7 @@ results::Frame compareFrames(const Image& student, const ReferencePictures::Fram
   return frame;
 }
 
-std::string hashOf(const rubric::RawFrame& frame) {
+std::string pixelsHash(const rubric::RawFrame& frame) {
   const XXH128_hash_t hash = XXH3_128bits(frame.pixels.data(), frame.pixels.size());
   return fmt::format("{}x{}:{:016x}{:016x}", frame.width, frame.height, hash.high64, hash.low64);
 }
@@ -139,7 +139,7 @@ results::Scene describe(const GradedScene& graded, ReferencePictures& pictures) 
   for (std::size_t i = 0; i < reference.size(); ++i) {
     scene.frames.push_back(
         compareFrames(i < student.size() ? rubric::toImage(student[i]) : Image(), reference[i]));
-    if (i < student.size()) scene.frames.back().hash = hashOf(student[i]);
+    if (i < student.size()) scene.frames.back().hash = pixelsHash(student[i]);
   }
   return scene;
 }

@@ -9,8 +9,6 @@
 namespace ggrade::report {
 namespace {
 
-constexpr double kEpsilon = 1e-6; // points are at most hundreds; less is rounding
-
 double quantile(const std::vector<double>& sorted, double share) {
   const double at = share * double(sorted.size() - 1);
   const std::size_t below = std::size_t(at), above = std::min(below + 1, sorted.size() - 1);

@@ -13,8 +13,6 @@ using gg::say;
 
 namespace {
 
-constexpr double kEpsilon = 1e-6; // points are at most hundreds; less is rounding
-
 bool countsForScore(const results::Item& item) {
   return item.kind != results::ItemKind::bonus;
 }

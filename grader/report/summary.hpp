@@ -11,6 +11,9 @@
 
 namespace ggrade::report {
 
+/// Points are at most hundreds: less is rounding.
+constexpr double kEpsilon = 1e-6;
+
 enum class Standing { full, part, none, unjudged };
 
 /// A `keep` item is full when nothing was taken away.

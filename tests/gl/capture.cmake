@@ -25,7 +25,7 @@ execute_process(COMMAND ${CMAKE_CXX_COMPILER} -print-file-name=libasan.so
   OUTPUT_VARIABLE libasan OUTPUT_STRIP_TRAILING_WHITESPACE)
 string(REPLACE ";" "," installed "${GGRADE_CAPTURE_INSTALLED}")
 
-ggrade_test(capture_test gl UNITY
+ggrade_test(capture_test gl
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/capture_run.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_errors_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_exports_test.cpp
@@ -47,7 +47,7 @@ get_property(programs GLOBAL PROPERTY GGRADE_CAPTURE_PROGRAMS)
 add_dependencies(capture_test ggrade_capture ${programs})
 
 # GLFW's own contract, function by function, in a process that has the capture library on its run path.
-ggrade_test(capture_glfw_test gl
+ggrade_test(capture_glfw_test gl SEPARATE
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/capture_glfw_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_glfw_window_test.cpp
   LIBRARIES glfw GL)

@@ -1,6 +1,6 @@
 # The framework on OpenGL: in a process that has the capture library on its run path, so that a
 # gg::Window needs no display.
-ggrade_test(framework_gl gl UNITY
+ggrade_test(framework_gl gl
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/framework_debug_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_doctor_test.cpp

@@ -6,7 +6,7 @@ set_target_properties(sandbox_attacker PROPERTIES
   COMPILE_OPTIONS "-Wall;-Wextra;-Wno-infinite-recursion"
   LINK_OPTIONS "")
 
-ggrade_test(sandbox_hostile_test hostile UNITY
+ggrade_test(sandbox_hostile_test hostile
   SOURCES sandbox_fixture.cpp sandbox_ends_test.cpp sandbox_files_test.cpp sandbox_kernel_test.cpp
     sandbox_memory_test.cpp sandbox_processes_test.cpp sandbox_work_test.cpp
   LIBRARIES ggrade_sandbox SHARDS 2 COST 30)

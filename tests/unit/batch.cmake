@@ -1,5 +1,5 @@
 if(TARGET ggrade_batch)
-  ggrade_test(batch_test unit UNITY
+  ggrade_test(batch_test unit
     SOURCES
       ${CMAKE_CURRENT_LIST_DIR}/batch_job_test.cpp
       ${CMAKE_CURRENT_LIST_DIR}/batch_pool_test.cpp

@@ -1,5 +1,5 @@
 # What tells a student how far a program is, on made-up texts and pictures.
-ggrade_test(check_test unit UNITY
+ggrade_test(check_test unit
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/check_begun_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/check_expected_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/check_rows_test.cpp

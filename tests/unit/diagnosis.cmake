@@ -1,5 +1,5 @@
 # Which fault a picture shows: on made-up pictures.
-ggrade_test(diagnosis_test unit UNITY
+ggrade_test(diagnosis_test unit
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/diagnosis_correspondence_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/diagnosis_generic_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/diagnosis_match_test.cpp

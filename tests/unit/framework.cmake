@@ -1,5 +1,5 @@
 # The framework's parts that need no OpenGL.
-ggrade_test(framework_unit unit
+ggrade_test(framework_unit unit SEPARATE
   SOURCES
     ${CMAKE_CURRENT_LIST_DIR}/framework_arguments_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/framework_handle_test.cpp

@@ -2,4 +2,4 @@
 foreach(source csv cells neutral moodle canvas overrides lateness)
   list(APPEND gradebook_sources ${CMAKE_CURRENT_LIST_DIR}/gradebook_${source}_test.cpp)
 endforeach()
-ggrade_test(gradebook_test unit UNITY SOURCES ${gradebook_sources} LIBRARIES ggrade_gradebook)
+ggrade_test(gradebook_test unit SOURCES ${gradebook_sources} LIBRARIES ggrade_gradebook)

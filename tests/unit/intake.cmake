@@ -1,5 +1,5 @@
 # Names, layouts, bundles and folder uploads: what needs no archive and no sandbox.
-ggrade_test(intake_unit_test unit UNITY
+ggrade_test(intake_unit_test unit
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/intake_bundle_test.cpp
           ${CMAKE_CURRENT_LIST_DIR}/intake_contents_test.cpp
           ${CMAKE_CURRENT_LIST_DIR}/intake_find_test.cpp

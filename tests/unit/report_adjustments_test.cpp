@@ -8,6 +8,7 @@
 namespace ggrade::report {
 namespace {
 
+using samples::count;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -18,12 +19,6 @@ ClassRow adjusted() {
   ClassRow row = samples::student("student1", 80);
   row.adjustments = {{"mirror.shading", 20, 40, "drawn with another pivot", "tutor1"}};
   return row;
-}
-
-std::size_t count(const std::string& text, const std::string& word) {
-  std::size_t found = 0;
-  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
-  return found;
 }
 
 TEST(Adjustments, AreToldInWords) {

@@ -1,5 +1,6 @@
 #include "report/class_page.hpp"
 #include "report_class_samples.hpp"
+#include "report_samples.hpp"
 
 #include <gmock/gmock.h>
 #include <limits>
@@ -7,14 +8,9 @@
 namespace ggrade::report {
 namespace {
 
+using samples::count;
 using testing::HasSubstr;
 using testing::Not;
-
-std::size_t count(const std::string& text, const std::string& word) {
-  std::size_t found = 0;
-  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
-  return found;
-}
 
 ClassPage pageOf(std::vector<ClassRow> rows) {
   ClassPage page;

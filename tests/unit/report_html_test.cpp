@@ -11,14 +11,9 @@
 namespace ggrade::report {
 namespace {
 
+using samples::count;
 using testing::HasSubstr;
 using testing::Not;
-
-std::size_t count(const std::string& text, const std::string& word) {
-  std::size_t found = 0;
-  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
-  return found;
-}
 
 std::string index(const results::Result& result) {
   return resultPages(result, Reveal::names).index;

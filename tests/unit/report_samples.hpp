@@ -27,4 +27,7 @@ results::Result noFrame();
 /// UTF-8, and the outputs are 1 MB long.
 results::Result hostile();
 
+/// How often `word` stands in `text`.
+std::size_t count(const std::string& text, const std::string& word);
+
 } // namespace ggrade::report::samples

@@ -84,12 +84,6 @@ void sayUnsupported(const FramebufferHints& framebuffer, const ContextHints& con
   if (context.noError) say("GLFW_CONTEXT_NO_ERROR: errors are still checked offscreen");
 }
 
-GLint integer(GLenum name) {
-  GLint value = 0;
-  real<decltype(&glGetIntegerv)>("glGetIntegerv")(name, &value);
-  return value;
-}
-
 /// Reads back what the context is, as GLFW does. The context must be current.
 void describeContext(GLFWwindow& window) {
   ContextHints& attributes = window.contextAttributes;

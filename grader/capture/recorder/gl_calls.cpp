@@ -7,10 +7,4 @@ const GlCalls& gl() {
   return calls;
 }
 
-GLint integer(GLenum name) {
-  GLint value = 0;
-  gl().getIntegerv(name, &value);
-  return value;
-}
-
 } // namespace ggrade::capture::recorder

@@ -73,7 +73,6 @@ struct GlCalls {
 
 const GlCalls& gl();
 
-GLint integer(GLenum name);
 inline std::uint32_t number(GLenum name) {
   return static_cast<std::uint32_t>(integer(name));
 }

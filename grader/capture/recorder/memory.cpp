@@ -13,7 +13,7 @@ namespace {
 // for.
 constexpr GLuint kMaxGap = 1024;
 constexpr GLuint kMaxNames = 1U << 20;
-constexpr GLint kMaxLevels = 32;
+constexpr GLint kCountedLevels = 32;
 
 /// Sum of `bytesOf(name)` over all objects of a kind.
 template <typename Is, typename BytesOf> std::uint64_t sum(const Is& is, const BytesOf& bytesOf) {
@@ -33,7 +33,7 @@ template <typename Is, typename BytesOf> std::uint64_t sum(const Is& is, const B
 std::uint64_t textureBytes(GLuint texture) {
   if (textureParameter(texture, GL_TEXTURE_TARGET) == GL_TEXTURE_BUFFER) return 0; // a buffer's
   std::uint64_t bytes = 0;
-  for (GLint level = 0; level < kMaxLevels; ++level) bytes += textureLevelBytes(texture, level);
+  for (GLint level = 0; level < kCountedLevels; ++level) bytes += textureLevelBytes(texture, level);
   return bytes;
 }
 

@@ -36,9 +36,10 @@ bool sameName(const Catalogue& catalogue, const std::string& a, const std::strin
   return group(a) == group(b);
 }
 
-class Measurement {
+class DiagnosisMeasurement {
 public:
-  Measurement(const Target& target, const fs::path& solutionFolder, const DiagnosisOptions& options)
+  DiagnosisMeasurement(const Target& target, const fs::path& solutionFolder,
+                       const DiagnosisOptions& options)
       : target_(target), part_(target.parts.at(0)), solutionFolder_(solutionFolder),
         options_(options), catalogue_(grading::loadCatalogue(target.assignment, part_,
                                                              solutionFolder, solutionFolder)) {
@@ -211,7 +212,7 @@ double DiagnosisFigures::wrongShare() const {
 
 DiagnosisFigures measureDiagnosis(const Target& target, const fs::path& solutionFolder,
                                   const DiagnosisOptions& options) {
-  return Measurement(target, solutionFolder, options).run();
+  return DiagnosisMeasurement(target, solutionFolder, options).run();
 }
 
 Section sectionOf(const DiagnosisFigures& figures) {
