@@ -17,9 +17,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// One submission of the demo, and how it must end.
+/// One submission of the demo, how it must end, and the mistake or step that it shows, if that is
+/// one of the catalogue.
 struct Example {
-  std::string name, target, outcome;
+  std::string name, target, outcome, mistake;
   grading::Recipe recipe;
   bool solution = false;
 };
@@ -32,17 +33,17 @@ std::vector<Example> examples(const Assignment& assignment, const fs::path& solu
   for (const Part& part : assignment.parts) targets.push_back(part.id);
   if (targets.size() > 1) targets.push_back(assignment.id);
   for (const std::string& target : targets) {
-    all.push_back({target + "-reference", target, "graded", {solutions}, true});
-    all.push_back({target + "-stub", target, "graded", {assignment.folder}});
+    all.push_back({target + "-reference", target, "graded", "", {solutions}, true});
+    all.push_back({target + "-stub", target, "graded", "", {assignment.folder}});
   }
   std::vector<fs::path> patches;
   for (const auto& entry : fs::directory_iterator(solutions / "examples"))
     if (entry.path().extension() == ".patch") patches.push_back(entry.path());
   std::sort(patches.begin(), patches.end());
   for (const fs::path& patch : patches) {
-    const auto header = grading::patchHeader(patch);
-    all.push_back(
-        {patch.stem().string(), header.at("Grades"), header.at("Outcome"), {solutions, {patch}}});
+    auto header = grading::patchHeader(patch);
+    all.push_back({patch.stem().string(), header.at("Grades"), header.at("Outcome"),
+                   header["Mistake"], {solutions, {patch}}});
   }
   return all;
 }
@@ -85,11 +86,15 @@ void gradeExamples(const Assignment& assignment, const fs::path& solutions,
   const std::size_t before = ended.size();
   ended.resize(before + all.size());
   std::atomic<std::size_t> done{before};
+  // The whole catalogue is drawn where somebody's grade depends on it: it takes minutes.
+  std::set<std::string> mistakes;
+  for (const Example& example : all) mistakes.insert(example.mistake);
   for (const auto& [id, examples] : byTarget) {
     const Target target = findTarget(assignmentsFolder(), id);
     grading::GraderOptions how;
     how.many = true;
     how.threads = 1;
+    how.suspects = mistakes;
     grading::Draw draw;
     draw.quality = grading::Quality::fast; // it is seen as well, and sooner
     const grading::ScenePlan plan = grading::drawScenes(target, solutions, draw);
@@ -132,7 +137,8 @@ void demo(const std::string& outText, bool asJson) {
       work.path() / "index.html",
       report::overviewPage("ggrade demo",
                            "The bundled example submissions: the reference, the untouched "
-                           "stub, and programs with typical faults.",
+                           "stub, and programs with typical faults. Causes are looked for among "
+                           "these faults; grade and batch know the whole catalogue.",
                            pages));
   work.publish(out);
   if (asJson) {

@@ -51,9 +51,10 @@ bool isStep(const std::string& name) {
 } // namespace
 
 Diagnoser::Diagnoser(const Target& target, const Part& part, const fs::path& solutionFolder,
-                     const References& references, Progress progress)
+                     const References& references, Progress progress,
+                     std::optional<std::set<std::string>> only)
     : target_(target), part_(part), solutionFolder_(solutionFolder), references_(references),
-      progress_(std::move(progress)),
+      progress_(std::move(progress)), only_(std::move(only)),
       catalogue_(loadCatalogue(target.assignment, part, solutionFolder, solutionFolder)) {}
 
 const SceneViews& Diagnoser::reference(std::size_t scene) {
@@ -108,6 +109,8 @@ std::vector<Candidate> Diagnoser::suspects(const std::vector<std::string>& lost,
         (bonus || std::ranges::find(lost, mistake.fails) != lost.end()))
       all.push_back(candidateOf(mistake));
   }
+  if (only_)
+    std::erase_if(all, [&](const Candidate& one) { return !only_->count(one.name); });
   return all;
 }
 

@@ -38,8 +38,10 @@ class Diagnoser {
 public:
   /// Reads the catalogue. Everything that is passed must outlive this. Throws UsageError for a
   /// fault in the catalogue.
+  /// \param only names of the mistakes and steps that are looked for; nothing: all
   Diagnoser(const Target& target, const Part& part, const std::filesystem::path& solutionFolder,
-            const References& references, Progress progress);
+            const References& references, Progress progress,
+            std::optional<std::set<std::string>> only = {});
 
   /// \param lost IDs of the part's items that lost points
   /// \param leftOut names of mistakes that are not to be known, for measuring
@@ -77,6 +79,7 @@ private:
   std::filesystem::path solutionFolder_;
   const References& references_;
   Progress progress_;
+  std::optional<std::set<std::string>> only_;
   Catalogue catalogue_;
   std::map<std::size_t, diagnosis::SceneViews> referenceViews_;
 };

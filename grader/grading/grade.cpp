@@ -436,7 +436,8 @@ void Grader::diagnose(Graded& graded) {
       const auto known = diagnosers_.find(part.id);
       if (known != diagnosers_.end()) return known->second;
       return diagnosers_
-          .try_emplace(part.id, target_, part, solutionFolder_, references(), options_.progress)
+          .try_emplace(part.id, target_, part, solutionFolder_, references(), options_.progress,
+                       options_.suspects)
           .first->second;
     });
   } catch (const UsageError&) {

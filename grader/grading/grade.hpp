@@ -47,6 +47,9 @@ struct GraderOptions {
   /// reference's picture) to see whether the program draws the same again?
   bool twice = true;
   bool diagnosis = true;        ///< is the likeliest cause of lost points looked for?
+  /// Of the mistakes in the catalogue and the steps ("step.2") those that it looks for; nothing:
+  /// all.
+  std::optional<std::set<std::string>> suspects = {};
   bool many = false;            ///< is more than one submission to come?
   unsigned threads = workers(); ///< scenes rendered at a time; 1: nothing goes on beside another
   Progress progress = [](const std::string&, std::size_t, std::size_t) {};

@@ -13,11 +13,11 @@ namespace {
 
 TEST(Demo, ShowsEveryExampleAsItMustEnd) {
   const TemporaryFolder folder;
-  // What every part's mistakes show is drawn first where no test before has done it.
   const Ended ended = runTool({"demo", "--out", folder.path() / "demo"}, {}, 1700);
   EXPECT_EQ(ended.exitCode, 0) << ended.errors;
   const std::string page = read(folder.path() / "demo/index.html");
   std::vector<std::pair<std::string, std::string>> expected;
+  std::map<std::string, std::string> mistakes;
   for (const std::string& id : names(kSource / "solutions")) {
     const fs::path examples = kSource / "solutions" / id / "examples";
     if (!fs::exists(examples)) continue;
@@ -30,13 +30,14 @@ TEST(Demo, ShowsEveryExampleAsItMustEnd) {
       expected.emplace_back(target + "-stub", "graded");
     }
     for (const std::string& name : names(examples)) {
-      const std::string text = read(examples / name);
-      const std::size_t at = text.find("Outcome: ") + 9;
-      expected.emplace_back(name.substr(0, name.find('.')),
-                            text.substr(at, text.find('\n', at) - at));
+      auto header = ggrade::grading::patchHeader(examples / name);
+      const std::string example = name.substr(0, name.find('.'));
+      expected.emplace_back(example, header.at("Outcome"));
+      if (header.contains("Mistake")) mistakes[example] = header["Mistake"];
     }
   }
   EXPECT_GE(expected.size(), 40u);
+  EXPECT_GE(mistakes.size(), 17u);
   for (const auto& [name, outcome] : expected) {
     EXPECT_THAT(ended.out, ContainsRegex(name + " .*" + outcome)) << name;
     EXPECT_NE(page.find(name + "/index.html"), page.npos) << name;
@@ -47,6 +48,8 @@ TEST(Demo, ShowsEveryExampleAsItMustEnd) {
       EXPECT_EQ(results.at("score_without_bonus"), 100) << name;
     else
       EXPECT_LE(results.at("score_without_bonus"), 90) << name;
+    if (mistakes.contains(name))
+      EXPECT_EQ(results.at("diagnoses").at(0).at("id"), mistakes[name]) << name;
   }
   EXPECT_THAT(ended.out, HasSubstr((folder.path() / "demo/index.html").string()));
 }
