@@ -2,7 +2,7 @@
 
 #include "assignment/assignment.hpp"
 #include "gradebook/cells.hpp"
-#include "gradebook/neutral.hpp"
+#include "gradebook/entry.hpp"
 #include "report/text.hpp"
 #include "report/write_file.hpp"
 

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// Comma-separated values (RFC 4180) that keep their bytes.
+/// Comma-separated values (RFC 4180) that keep their bytes, and tables in them whose columns have
+/// names.
 
 #include <cstddef>
 #include <cstdint>
@@ -73,5 +74,16 @@ private:
 /// `text` as one cell: quoted if it holds one of `delimiters`, a quote or a line end, or starts or
 /// ends with a blank.
 std::string csvCell(std::string_view text, std::string_view delimiters = ",;\t");
+
+enum class OtherColumns { allowed, refused };
+
+/// Where the columns `names` stand in the first row, whatever their order and case. Throws
+/// UsageError with the file and the header to write if one is missing, stands there twice or is
+/// none of them.
+std::vector<std::size_t> columnsNamed(const Csv& csv, const std::string& fileName,
+                                      const std::vector<std::string>& names, OtherColumns others);
+
+/// The cell without blanks at its ends; empty where the row is too short.
+std::string cellOf(const Csv& csv, std::size_t row, std::size_t column);
 
 } // namespace ggrade::gradebook

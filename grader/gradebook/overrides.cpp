@@ -2,8 +2,7 @@
 
 #include "assignment/usage_error.hpp"
 #include "gradebook/cells.hpp"
-#include "gradebook/numbers.hpp"
-#include "gradebook/table.hpp"
+#include "gradebook/csv.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 /// \file
 /// What filling in any worksheet takes, whoever has exported it.
 
+#include "gradebook/cells.hpp"
 #include "gradebook/csv.hpp"
-#include "gradebook/numbers.hpp"
 #include "gradebook/worksheet.hpp"
 
 namespace ggrade::gradebook {

@@ -1,5 +1,4 @@
 #include "gradebook/cells.hpp"
-#include "gradebook/numbers.hpp"
 #include "report/text.hpp"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 #include "gradebook/csv.hpp"
-#include "gradebook/neutral.hpp"
+#include "gradebook/entry.hpp"
 
 #include <gmock/gmock.h>
 
