@@ -1,7 +1,6 @@
 #include "intake/archive_reader.hpp"
 
 #include "intake/bundle.hpp"
-#include "intake/clutter.hpp"
 
 #include <archive.h>
 #include <archive_entry.h>

@@ -1,5 +1,6 @@
 #include "intake/bundle.hpp"
 
+#include <algorithm>
 #include <ostream>
 #include <stdexcept>
 
@@ -89,6 +90,17 @@ std::vector<Entry> readBundle(std::string_view bundle, const Limits& limits) {
   }
   if (!cursor.atEnd()) throw std::runtime_error("something follows its end");
   return entries;
+}
+
+std::string_view clutterIn(std::string_view path) {
+  while (!path.empty()) {
+    const std::string_view component = path.substr(0, path.find_first_of("/\\"));
+    for (const std::string_view name : {"__MACOSX", ".vs", ".git", ".DS_Store", "Thumbs.db"})
+      if (component == name) return name;
+    if (component.starts_with("._")) return "._*";
+    path.remove_prefix(std::min(path.size(), component.size() + 1));
+  }
+  return {};
 }
 
 } // namespace ggrade::intake

@@ -48,4 +48,9 @@ void writeEntry(std::ostream& out, const Entry& entry);
 /// std::runtime_error where one does not fit the bundle or goes beyond `limits`.
 std::vector<Entry> readBundle(std::string_view bundle, const Limits& limits);
 
+/// What computers leave in folders unasked is passed over and counted, never an error. The
+/// component of `path` (parts divided by / or \) that makes it clutter: `__MACOSX`, `.vs`,
+/// `.git`, `.DS_Store`, `Thumbs.db`, or `._*` for a name that starts so. Empty if there is none.
+std::string_view clutterIn(std::string_view path);
+
 } // namespace ggrade::intake

@@ -1,6 +1,7 @@
 #pragma once
 /// \file
-/// The files of an upload, whatever it came in, and what was refused.
+/// The files of an upload, whatever it came in, what was refused, and which folder holds the
+/// assignment's files.
 
 #include "intake/bundle.hpp"
 
@@ -62,5 +63,19 @@ private:
   std::size_t clutterCount_ = 0;
   std::uint64_t bytes_ = 0;
 };
+
+/// The name in `wanted` that `name` equals, case ignored; empty if there is none.
+std::string wantedName(std::string_view name, const std::vector<std::string>& wanted);
+
+struct TopFolder {
+  std::vector<File> files;          ///< below the top, with paths from there
+  std::vector<std::string> outside; ///< printable names of the rest
+  std::string reason;               ///< why the rest doesn't count
+  std::vector<std::string> remarks; ///< files that got the wanted name's case
+};
+
+/// The shallowest folder that holds one of `wanted` (case ignored) becomes the top; of several, the
+/// one with more of them. Throws UploadProblem if none does, or if two do equally.
+TopFolder takeTopFolder(std::vector<File> files, const std::vector<std::string>& wanted);
 
 } // namespace ggrade::intake

@@ -1,12 +1,12 @@
 #include "intake/find_uploads.hpp"
 
 #include "assignment/usage_error.hpp"
-#include "intake/class_archive.hpp"
-#include "intake/clutter.hpp"
+#include "intake/bundle.hpp"
+#include "intake/contents.hpp"
 #include "intake/files.hpp"
 #include "intake/layouts.hpp"
 #include "intake/names.hpp"
-#include "intake/top_folder.hpp"
+#include "intake/packed.hpp"
 
 #include <fmt/format.h>
 

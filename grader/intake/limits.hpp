@@ -9,7 +9,7 @@ namespace ggrade::intake {
 
 struct Limits {
   std::size_t entries = 2000;               ///< files, folders and whatever else, but for clutter
-  std::size_t clutter = 20000;              ///< entries that are passed over, see clutter.hpp
+  std::size_t clutter = 20000;              ///< entries that are passed over, see clutterIn
   std::uint64_t bytes = 32ull << 20;        ///< of all files that are taken
   std::uint64_t fileBytes = 4ull << 20;     ///< of one file; larger ones are refused by name
   std::uint64_t archiveBytes = 64ull << 20; ///< of an archive, as uploaded

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace ggrade::intake {
 
@@ -27,5 +28,13 @@ std::string bundleOf(const std::filesystem::path& path, const std::filesystem::p
 
 /// `readBundle`, with UploadProblem where the bundle makes no sense.
 std::vector<Entry> entriesOf(std::string_view bundle, const Limits& limits);
+
+/// From the archive that a learning management system makes of a whole class: writes the files of
+/// `archive` to the new folder `into`, with their times, uploads still packed. The archive is taken
+/// apart in the sandbox, within kClassLimits. What is refused or passed over goes to `remarks`.
+/// Throws UsageError with the remedy where the archive can't be used.
+void unpackClass(const std::filesystem::path& archive, const std::filesystem::path& into,
+                 sandbox::Isolation isolation, const std::atomic<bool>* cancel,
+                 std::vector<std::string>& remarks);
 
 } // namespace ggrade::intake

@@ -1,13 +1,12 @@
 #include "intake/unpack.hpp"
 
 #include "assignment/usage_error.hpp"
-#include "intake/clutter.hpp"
+#include "intake/bundle.hpp"
 #include "intake/contents.hpp"
 #include "intake/files.hpp"
 #include "intake/layouts.hpp"
 #include "intake/names.hpp"
 #include "intake/packed.hpp"
-#include "intake/top_folder.hpp"
 #include "words/words.hpp"
 
 #include <fmt/format.h>

@@ -5,7 +5,6 @@
 #include "intake/contents.hpp"
 #include "intake/names.hpp"
 #include "intake/packed.hpp"
-#include "intake/top_folder.hpp"
 
 #include <cstdlib>
 

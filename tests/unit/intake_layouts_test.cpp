@@ -1,4 +1,4 @@
-#include "intake/clutter.hpp"
+#include "intake/bundle.hpp"
 #include "intake/layouts.hpp"
 
 #include <gmock/gmock.h>

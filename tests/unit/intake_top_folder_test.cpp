@@ -1,4 +1,4 @@
-#include "intake/top_folder.hpp"
+#include "intake/contents.hpp"
 
 #include "intake/packed.hpp"
 
