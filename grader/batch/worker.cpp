@@ -2,7 +2,7 @@
 
 #include "batch/record.hpp"
 #include "grading/grade.hpp"
-#include "image/memory.hpp"
+#include "image/image.hpp"
 #include "report/text.hpp"
 
 #include <fmt/format.h>

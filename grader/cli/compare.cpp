@@ -2,7 +2,6 @@
 
 #include "image/difference.hpp"
 #include "image/files.hpp"
-#include "image/ssim.hpp"
 #include "image/statistics.hpp"
 #include "words/words.hpp"
 

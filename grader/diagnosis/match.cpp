@@ -2,8 +2,8 @@
 
 #include "diagnosis/correspondence.hpp"
 #include "image/compare.hpp"
+#include "image/mask.hpp"
 #include "image/neighbourhood.hpp"
-#include "image/window.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 /// The comparison that scores are made of: two-sided and spatially tolerant.
 
 #include "image/mask.hpp"
-#include "image/window.hpp"
 
 #include <array>
 #include <cstddef>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <malloc.h>
 #include <stdexcept>
 
 namespace ggrade {
@@ -118,6 +119,11 @@ std::optional<NonFinite> findNonFinite(const Image& image, int channels) {
 
 char channelName(int channel, int channels) {
   return channels == 1 ? 'Y' : "RGBA"[channel];
+}
+
+void keepFreedMemory() {
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, 1 << 30);
 }
 
 } // namespace ggrade

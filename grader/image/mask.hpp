@@ -1,6 +1,6 @@
 #pragma once
 /// \file
-/// Which pixels of a picture a comparison looks at.
+/// Which pixels of a picture a comparison looks at, and the part of it where most of them are.
 
 #include "image/image.hpp"
 
@@ -59,5 +59,21 @@ Mask erode(const Mask& mask, int radius);
 /// where only one of the images is finite. Throws std::invalid_argument if sizes or channels
 /// differ.
 Mask differenceMask(const Image& a, const Image& b, float threshold, int channels = 0);
+
+/// A rectangle of pixels, (x,y) its top left corner, and how much in it is set.
+struct Window {
+  int x = 0, y = 0, width = 0, height = 0;
+  std::size_t pixels = 0;       ///< pixels of the mask inside
+  int middleX = 0, middleY = 0; ///< middle of the box around those pixels: the place to name
+  /// `pixels` over the whole area of the window, 0 to 1, whatever region was looked at: a region of
+  /// a few pixels cannot reach a large share (its own share says enough about it).
+  double share = 0;
+};
+
+/// The cure for a small error drowned in a large right background: the window of `side x side`
+/// pixels (clipped to the picture's size) that holds most pixels of `mask`, found through a
+/// summed-area table (Crow 1984). Among equals the first in row order, moved so that what it holds
+/// is in its middle. An empty mask gives a default Window.
+Window densestWindow(const Mask& mask, int side = 32);
 
 } // namespace ggrade

@@ -1,6 +1,6 @@
 #include "rubric/rubric.hpp"
 
-#include "image/memory.hpp"
+#include "image/image.hpp"
 
 #include <fmt/format.h>
 

@@ -9,7 +9,7 @@
 #include "image/compare.hpp"
 #include "image/difference.hpp"
 #include "image/flip.hpp"
-#include "image/ssim.hpp"
+#include "image/statistics.hpp"
 
 #include <benchmark/benchmark.h>
 

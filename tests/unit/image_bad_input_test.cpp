@@ -5,7 +5,6 @@
 #include "image/compare.hpp"
 #include "image/difference.hpp"
 #include "image/flip.hpp"
-#include "image/ssim.hpp"
 #include "image/statistics.hpp"
 
 #include <gmock/gmock.h>

@@ -1,6 +1,5 @@
 #include "not_finite.hpp"
 
-#include "image/colour_map.hpp"
 #include "image/difference.hpp"
 
 #include <gmock/gmock.h>

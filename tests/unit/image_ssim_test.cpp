@@ -1,4 +1,4 @@
-#include "image/ssim.hpp"
+#include "image/statistics.hpp"
 
 #include <gtest/gtest.h>
 

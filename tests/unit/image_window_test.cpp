@@ -1,4 +1,4 @@
-#include "image/window.hpp"
+#include "image/mask.hpp"
 
 #include <gtest/gtest.h>
 

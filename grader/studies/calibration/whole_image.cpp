@@ -2,7 +2,6 @@
 
 #include "image/compare.hpp"
 #include "image/flip.hpp"
-#include "image/ssim.hpp"
 #include "image/statistics.hpp"
 
 #include <algorithm>
