@@ -3,7 +3,7 @@
 #include "authoring/derive.hpp"
 #include "authoring/pass_files.hpp"
 #include "check/expected.hpp"
-#include "diagnosis/state.hpp"
+#include "diagnosis/outcome.hpp"
 #include "grading/catalogue.hpp"
 #include "grading/signatures.hpp"
 #include "grading/workspace.hpp"

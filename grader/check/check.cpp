@@ -3,7 +3,6 @@
 #include "check/begun.hpp"
 #include "diagnosis/generic.hpp"
 #include "diagnosis/outcome.hpp"
-#include "diagnosis/state.hpp"
 #include "grading/overlay.hpp"
 #include "grading/parallel.hpp"
 #include "grading/toolchain.hpp"

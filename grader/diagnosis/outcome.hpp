@@ -1,10 +1,13 @@
 #pragma once
 /// \file
-/// Faults that need no picture to be told: nothing came, or nothing went where it should.
+/// Faults that need no picture to be told: nothing came, nothing went where it should, or
+/// OpenGL was in a state in which drawing shows nothing.
 
 #include "results/results.hpp"
+#include "trace/trace.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,5 +34,14 @@ std::optional<results::Diagnosis> outcomeDiagnosis(const results::Result& result
 /// The compiler's warnings of kinds that explain a program which does something else than it says,
 /// a line each, at most `most`: `floor.cpp:280:5: warning: multi-line comment [-Wcomment]`.
 std::vector<std::string> tellingWarnings(const std::string& compilerOutput, std::size_t most = 3);
+
+/// One sentence on each state, as the recorder saw it, that explains a window without a picture: a
+/// closed colour mask, an empty scissor or viewport, a depth test that nothing passes, a clear
+/// after the last draw, ... For a program whose picture is wrong: a right one may have reasons for
+/// some of them.
+std::vector<std::string> stateFaults(const trace::Trace& trace);
+
+/// Names of the samplers that read a texture in the first frame.
+std::set<std::string> samplersWithTexture(const trace::Trace& trace);
 
 } // namespace ggrade::diagnosis

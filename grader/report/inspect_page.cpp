@@ -6,7 +6,7 @@
 #include "report/page.hpp"
 #include "report/templates.hpp"
 #include "report/text.hpp"
-#include "trace/pixels.hpp"
+#include "trace/trace.hpp"
 #include "words/words.hpp"
 
 #include <GL/glcorearb.h>

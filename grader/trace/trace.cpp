@@ -1,10 +1,13 @@
 #include "trace/trace.hpp"
 
 #include "assignment/usage_error.hpp"
-#include "trace/pixels.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>
+
+#include <bit>
+#include <cstring>
+#include <stdexcept>
 
 namespace ggrade::trace {
 namespace {
@@ -60,6 +63,88 @@ std::vector<std::byte> Trace::bytesOf(const CopyRecord& copy) const {
 
 Image Trace::image(const CopyRecord& copy) const {
   return decodePixels(bytesOf(copy), static_cast<PixelType>(copy.type), copy.width, copy.height);
+}
+
+namespace {
+
+/// Stored values of type `Stored`, one after another, through `convert`.
+template <typename Stored, typename Convert>
+void decode(std::span<const std::byte> bytes, std::span<float> to, Convert convert) {
+  const std::byte* from = bytes.data();
+  for (float& value : to) {
+    Stored stored; // copies begin anywhere: no assumption about alignment
+    std::memcpy(&stored, from, sizeof(Stored));
+    from += sizeof(Stored);
+    value = convert(stored);
+  }
+}
+
+} // namespace
+
+float halfToFloat(std::uint16_t half) {
+  const std::uint32_t sign = std::uint32_t(half & 0x8000U) << 16;
+  const std::uint32_t exponent = half >> 10 & 0x1FU;
+  const std::uint32_t fraction = half & 0x3FFU;
+  if (exponent == 0) { // zero or subnormal: a multiple of 2^-24, which a float holds exactly
+    const float magnitude = float(fraction) * 0x1p-24F;
+    return sign ? -magnitude : magnitude;
+  }
+  const std::uint32_t bits = exponent == 31 ? 0x7F800000U : (exponent + 112) << 23;
+  return std::bit_cast<float>(sign | bits | fraction << 13);
+}
+
+int channelsOf(PixelType type) {
+  return type == PixelType::f32x1 || type == PixelType::u8x1 ? 1 : 4;
+}
+
+const char* pixelTypeName(PixelType type) {
+  switch (type) {
+  case PixelType::u8x4:
+    return "u8x4";
+  case PixelType::f16x4:
+    return "f16x4";
+  case PixelType::f32x4:
+    return "f32x4";
+  case PixelType::f32x1:
+    return "f32x1";
+  case PixelType::u8x1:
+    return "u8x1";
+  case PixelType::i32x4:
+    return "i32x4";
+  case PixelType::u32x4:
+    return "u32x4";
+  }
+  return "";
+}
+
+Image decodePixels(std::span<const std::byte> bytes, PixelType type, std::uint32_t width,
+                   std::uint32_t height) {
+  if (bytes.size() != std::uint64_t{width} * height * bytesPerPixel(type) || bytes.empty())
+    throw std::invalid_argument("the pixels of a copy have another size than it says");
+  Image image(int(width), int(height), channelsOf(type));
+  const std::span<float> to = image.values();
+  switch (type) {
+  case PixelType::u8x4:
+    decode<std::uint8_t>(bytes, to, [](std::uint8_t value) { return float(value) / 255.0F; });
+    break;
+  case PixelType::u8x1:
+    decode<std::uint8_t>(bytes, to, [](std::uint8_t value) { return float(value); });
+    break;
+  case PixelType::f16x4:
+    decode<std::uint16_t>(bytes, to, halfToFloat);
+    break;
+  case PixelType::f32x4:
+  case PixelType::f32x1:
+    std::memcpy(to.data(), bytes.data(), bytes.size());
+    break;
+  case PixelType::i32x4:
+    decode<std::int32_t>(bytes, to, [](std::int32_t value) { return float(value); });
+    break;
+  case PixelType::u32x4:
+    decode<std::uint32_t>(bytes, to, [](std::uint32_t value) { return float(value); });
+    break;
+  }
+  return image;
 }
 
 } // namespace ggrade::trace

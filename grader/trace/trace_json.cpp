@@ -1,4 +1,3 @@
-#include "trace/pixels.hpp"
 #include "trace/trace.hpp"
 
 #include <charconv>

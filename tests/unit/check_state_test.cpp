@@ -1,4 +1,4 @@
-#include "diagnosis/state.hpp"
+#include "diagnosis/outcome.hpp"
 #include "trace_samples.hpp"
 
 #include <gmock/gmock.h>

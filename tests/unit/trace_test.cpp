@@ -1,7 +1,7 @@
 // Recorded passes as values, and as files.
 
 #include "assignment/usage_error.hpp"
-#include "trace/pixels.hpp"
+#include "trace/trace.hpp"
 
 #include "framework_temporary_folder.hpp"
 #include "framework_throws.hpp"
