@@ -2,8 +2,6 @@
 /// \file
 /// Checks of what the captured process claims.
 
-#include "capture/utf8.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,6 +11,11 @@
 #include <string_view>
 
 namespace ggrade::channel {
+
+/// `text` as valid UTF-8 that is safe to print: every byte that is no part of a character (overlong
+/// forms, surrogates and numbers above U+10FFFF included) and every control character but line feed
+/// and tab becomes U+FFFD.
+std::string sanitizedUtf8(std::string_view text);
 
 /// Checks claims one after another; the first one that fails is the result.
 class Checker {

@@ -2,7 +2,7 @@
 /// \file
 /// What the library keeps for each context beside GL's own state.
 
-#include "capture/size.hpp"
+#include "capture/run.hpp"
 
 #include <GL/gl.h>
 #include <GL/glext.h>

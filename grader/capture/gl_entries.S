@@ -1,7 +1,7 @@
 // One exported entry for every GL and GLX function. An entry jumps through its slot; a slot starts at
 // the entry's lazy stub, which asks gg_resolveSlot for the target, with all arguments kept.
 // A slot whose function exists is overwritten by then, so later calls cost one indirect jump.
-// Entries are 16 bytes apart (gl_forward.cpp computes their addresses).
+// Entries are 16 bytes apart (gl_hooks.cpp computes their addresses).
 
 #if defined(__x86_64__)
 

@@ -1,7 +1,8 @@
 #pragma once
 /// \file
-/// Functions of ours that stand before GL functions. Every way that a program has to a function
-/// (linked, glfwGetProcAddress, glXGetProcAddress, dlsym) leads through them.
+/// From the name of a GL function to the function that serves it: one of ours that stands before
+/// it, if there is any. Every way that a program has to a function (linked, glfwGetProcAddress,
+/// glXGetProcAddress, dlsym) leads through these.
 ///
 /// A file of hooks declares one `next` pointer and one function a name, and lists them:
 /// \code
@@ -13,11 +14,30 @@
 /// `real`. Several files may hook one name: a later file's hook is called first, and its `next` is
 /// the earlier file's hook. The order of files stands in gl_hooks.cpp.
 
-#include "capture/gl_forward.hpp"
-
+#include <algorithm>
+#include <cstddef>
 #include <span>
+#include <type_traits>
 
 namespace ggrade::capture {
+
+using GlFunction = void (*)();
+
+/// What a program gets when it asks for `name`: the outermost hook, else OSMesa's function, else (a
+/// GL function that OSMesa lacks, a GLX function) one that says so once and returns 0. Null when no
+/// GL or GLX function has that name. All ways to a function give the same address's behaviour.
+GlFunction glFunction(const char* name);
+
+/// OSMesa's own function, past all hooks. Null when OSMesa lacks it.
+GlFunction realGlFunction(const char* name);
+
+/// `real<decltype(&glFinish)>("glFinish")()`.
+template <typename Function> Function real(const char* name) {
+  return reinterpret_cast<Function>(realGlFunction(name));
+}
+
+/// A number of the current context's state (GLint, GLenum), asked of OSMesa itself.
+int integer(unsigned int name);
 
 struct Hook {
   const char* name;
@@ -32,9 +52,6 @@ struct Hook {
                function) { (next) = reinterpret_cast<decltype(next)>(function); }                  \
   }
 
-/// The outermost hook of `name`, or null. A name that OSMesa lacks has only hooks without a `next`.
-GlFunction hookedGlFunction(const char* name);
-
 std::span<const Hook> debugHooks();
 std::span<const Hook> drawHooks();
 std::span<const Hook> errorHooks();
@@ -44,4 +61,45 @@ std::span<const Hook> queryHooks();
 std::span<const Hook> shaderTimeHooks();
 std::span<const Hook> windowBufferHooks();
 
+// Hooks that are made from a function of our own, so that a list of names is all that a file of
+// hooks needs.
+
+/// A GL function's name as a template argument, so that each name gets a hook of its own.
+template <std::size_t size> struct Name {
+  char text[size];
+  consteval Name(const char (&from)[size]) { // NOLINT(google-explicit-constructor)
+    std::copy_n(from, size, text);
+  }
+};
+
+/// Calls `before` with the GL function's arguments, then the function. What `before` returns, if
+/// anything, lives until the function has returned.
+template <Name name, auto before, typename Function> struct Around;
+template <Name name, auto before, typename Result, typename... Arguments>
+struct Around<name, before, Result(Arguments...)> {
+  static inline Result (*next)(Arguments...) = nullptr;
+  static Result call(Arguments... arguments) {
+    if constexpr (std::is_void_v<decltype(before(arguments...))>) {
+      before(arguments...);
+      return next(arguments...);
+    } else {
+      [[maybe_unused]] const auto scope = before(arguments...);
+      return next(arguments...);
+    }
+  }
+};
+
 } // namespace ggrade::capture
+
+/// `GG_AROUND(glFinish, countFinish)` with `constexpr auto countFinish = [] { ++finishes; };`. A
+/// lambda in its place would be two.
+#define GG_AROUND(name, ...)                                                                       \
+  ::ggrade::capture::Hook {                                                                        \
+#name,                                                                                         \
+        reinterpret_cast <::ggrade::capture::GlFunction>(                                          \
+            &::ggrade::capture::Around<#name, __VA_ARGS__, decltype(::name)>::call),               \
+        [](::ggrade::capture::GlFunction function) {                                               \
+          using This = ::ggrade::capture::Around<#name, __VA_ARGS__, decltype(::name)>;            \
+          This::next = reinterpret_cast<decltype(This::next)>(function);                           \
+        }   \
+  }

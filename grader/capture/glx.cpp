@@ -1,5 +1,5 @@
 // GLX: there is no X server here, so only the way to GL functions works. The rest returns 0 (and
-// says so once, see gl_forward.cpp), apart from what loaders such as GLEW ask before they go on.
+// says so once, see gl_hooks.cpp), apart from what loaders such as GLEW ask before they go on.
 
 #include "capture/gl_hooks.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "capture/channel_writer.hpp"
 #include "capture/context_state.hpp"
-#include "capture/hook_templates.hpp"
+#include "capture/gl_hooks.hpp"
 #include "capture/recorder/recorder.hpp"
 
 #include <array>

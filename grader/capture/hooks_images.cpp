@@ -2,7 +2,7 @@
 // deletions. Only the recorder wants to know, so that without it these functions have no hooks.
 
 #include "capture/channel_writer.hpp"
-#include "capture/hook_templates.hpp"
+#include "capture/gl_hooks.hpp"
 #include "capture/recorder/recorder.hpp"
 
 namespace ggrade::capture {

@@ -3,8 +3,8 @@
 /// A GL context whose window is a memory buffer. The only file pair that knows OSMesa: a context of
 /// another kind (EGL without a surface) would stand beside it with the same functions.
 
-#include "capture/gl_forward.hpp"
-#include "capture/size.hpp"
+#include "capture/gl_hooks.hpp"
+#include "capture/run.hpp"
 
 #include <cstdint>
 #include <memory>

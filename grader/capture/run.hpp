@@ -4,12 +4,17 @@
 /// is to stop. Any thread. Scheduled by the plan of the channel, else 60 frames a second for ever
 /// (or GG_CAPTURE_FRAMES).
 
-#include "capture/size.hpp"
-
 #include <cstdint>
 #include <mutex>
 
 namespace ggrade::capture {
+
+/// Of a window's framebuffer, in pixels.
+struct Size {
+  int width = 0;
+  int height = 0;
+  friend bool operator==(const Size&, const Size&) = default;
+};
 
 class Run {
 public:

@@ -1,5 +1,4 @@
 #include "capture/glfw/library.hpp"
-#include "capture/glfw/monitor.hpp"
 
 using namespace ggrade::capture;
 

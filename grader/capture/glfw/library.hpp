@@ -39,6 +39,9 @@ Library& library();
 /// False after reporting GLFW_NOT_INITIALIZED.
 bool requireInit();
 
+/// Forgets the monitor's user pointer, gamma ramp and callback (glfwTerminate).
+void resetMonitor();
+
 /// Exchanges a callback, as all of GLFW's setters do.
 template <typename Callback> Callback exchange(Callback& stored, Callback callback) {
   Callback previous = stored;

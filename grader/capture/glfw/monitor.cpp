@@ -1,7 +1,5 @@
 // One monitor of 1920x1080 with one video mode.
 
-#include "capture/glfw/monitor.hpp"
-
 #include "capture/channel_writer.hpp"
 #include "capture/glfw/library.hpp"
 

@@ -2,7 +2,7 @@
 /// \file
 /// The GL functions that the recorder itself calls, past all hooks: `gl().finish()`.
 
-#include "capture/gl_forward.hpp"
+#include "capture/gl_hooks.hpp"
 
 #include <GL/gl.h>
 #include <GL/glext.h>
@@ -71,7 +71,10 @@ struct GlCalls {
 #undef GG_CALL
 };
 
-const GlCalls& gl();
+inline const GlCalls& gl() {
+  static const GlCalls calls;
+  return calls;
+}
 
 inline std::uint32_t number(GLenum name) {
   return static_cast<std::uint32_t>(integer(name));

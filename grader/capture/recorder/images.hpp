@@ -3,7 +3,7 @@
 /// What GL answers about images: which ones a framebuffer draws into or reads from, and of what
 /// format and size they are. The context must be current.
 
-#include "capture/size.hpp"
+#include "capture/run.hpp"
 #include "trace/records.hpp"
 
 #include <GL/gl.h>

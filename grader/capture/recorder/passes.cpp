@@ -3,7 +3,6 @@
 #include "capture/channel_writer.hpp"
 #include "capture/recorder/copies.hpp"
 #include "capture/recorder/gl_calls.hpp"
-#include "capture/recorder/replacements.hpp"
 #include "capture/recorder/session.hpp"
 
 #include <algorithm>

@@ -1,10 +1,11 @@
-#include "capture/recorder/replacements.hpp"
+// Puts pixels that the judging side has chosen in place of what a pass left.
 
 #include "capture/channel_writer.hpp"
 #include "capture/recorder/copies.hpp"
 #include "capture/recorder/gl_calls.hpp"
 #include "capture/recorder/images.hpp"
 #include "capture/recorder/pixel_state.hpp"
+#include "capture/recorder/session.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -143,4 +143,10 @@ void endStep(Session& session, OpenPass& pass);
 /// Marks images that the programs can write to by image stores as written by the pass.
 void noteImageStores(Session& session, OpenPass& pass, const std::vector<GLuint>& programs);
 
+// replacements.cpp
+
+/// Makes the plan's replacements of this pass, which has ended, and answers to them. Leaves GL's
+/// state as it was.
+void replaceOutputs(const OpenPass& pass);
+
 } // namespace ggrade::capture::recorder

@@ -1,4 +1,4 @@
-#include "capture/utf8.hpp"
+#include "capture/checker.hpp"
 
 #include <cstdint>
 
