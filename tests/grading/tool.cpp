@@ -1,7 +1,7 @@
 #include "tool.hpp"
 
 #include "authoring/solution_blocks.hpp"
-#include "calibration/look.hpp"
+#include "calibration/measure.hpp"
 #include "calibration/subject.hpp"
 #include "calibration/verdicts.hpp"
 #include "grading/recipe.hpp"

@@ -2,8 +2,8 @@
 // for it. Expected values are worked out by hand.
 
 #include "calibration/classifier.hpp"
-#include "calibration/look.hpp"
-#include "calibration/score_file.hpp"
+#include "calibration/measure.hpp"
+#include "calibration/subject.hpp"
 #include "calibration/tolerances.hpp"
 #include "calibration/trade.hpp"
 #include "calibration/whole_image.hpp"

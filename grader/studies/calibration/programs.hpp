@@ -5,6 +5,7 @@
 
 #include "grading/catalogue.hpp"
 #include "grading/recipe.hpp"
+#include "rubric/evidence.hpp"
 
 #include <cstdint>
 #include <map>
@@ -37,7 +38,7 @@ struct KnownAnswer {
 };
 
 /// The reference, the stub, every patch of the catalogue, every pair, and the pictures (see
-/// pictures.hpp). Those named in `only` (a name, with or without the part's prefix, or a kind) and
+/// PictureKind). Those named in `only` (a name, with or without the part's prefix, or a kind) and
 /// what their judgement needs; all if it is empty. Throws UsageError for a name that is not there.
 std::vector<KnownAnswer> programsOf(const Assignment& assignment,
                                     const grading::Catalogue& catalogue,
@@ -74,5 +75,19 @@ struct Measured {
   std::vector<Score> scores;
   std::string problem; ///< why it could not be graded at all: a patch that doesn't apply
 };
+
+/// A submission that is pictures only, without any pass: what someone could hand over who has
+/// understood nothing, or who has the pictures of another scene.
+struct PictureKind {
+  std::string name, title;
+};
+
+const std::vector<PictureKind>& pictureKinds();
+
+/// The frames of scene `index` as this kind has them, of the sizes and times that are wanted. `all`
+/// are the reference's frames by scene; `isPublic` says which of them a student knows.
+std::vector<rubric::RawFrame> pictures(const std::string& kind,
+                                       const std::vector<std::vector<rubric::RawFrame>>& all,
+                                       const std::vector<bool>& isPublic, std::size_t index);
 
 } // namespace ggrade::calibration

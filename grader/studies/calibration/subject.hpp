@@ -1,12 +1,17 @@
 #pragma once
 /// \file
-/// A program on its way through a measurement.
+/// A program on its way through a measurement, and its gradings. They are kept, so that a
+/// measurement that was broken off goes on where it was.
 
 #include "calibration/programs.hpp"
 #include "grading/grade.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 namespace ggrade::calibration {
 
@@ -47,5 +52,14 @@ public:
 };
 
 Score scoreOf(const results::Result& result);
+
+nlohmann::json toJson(const Score& score);
+/// Throws nlohmann::json::exception for anything that toJson didn't write.
+Score scoreFrom(const nlohmann::json& json);
+
+/// One grading's file; nothing if it isn't there or isn't whole.
+std::optional<Score> loadScore(const std::filesystem::path& file);
+/// Appears whole or not at all. Throws UsageError when the disk is full.
+void saveScore(const std::filesystem::path& file, const Score& score);
 
 } // namespace ggrade::calibration

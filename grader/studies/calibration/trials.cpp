@@ -1,4 +1,3 @@
-#include "calibration/score_file.hpp"
 #include "calibration/subject.hpp"
 #include "calibration/tolerances.hpp"
 

@@ -1,4 +1,4 @@
-#include "calibration/score_file.hpp"
+#include "calibration/subject.hpp"
 #include "calibration/verdicts.hpp"
 
 #include "report/text.hpp"
