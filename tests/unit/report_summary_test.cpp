@@ -13,7 +13,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-std::vector<std::string> linesOf(const std::string& text) {
+std::vector<std::string> terminalLines(const std::string& text) {
   std::istringstream stream(text);
   std::vector<std::string> lines;
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
@@ -93,7 +93,7 @@ TEST(Terminal, JapaneseLinesEndBetweenTheirLetters) {
       "画像は、手順1から4まで終えたプログラムのものです。glfwSwapBuffersに到達しません。"
       "手順5で加わるものがまだ見えません。";
   std::string joined;
-  for (const std::string& line : linesOf(terminalTable(result, {.width = 60}))) {
+  for (const std::string& line : terminalLines(terminalTable(result, {.width = 60}))) {
     EXPECT_LE(displayWidth(line), 60u) << line;
     EXPECT_FALSE(line.starts_with("、") || line.starts_with("。")) << line;
     joined += line;
@@ -152,7 +152,7 @@ TEST(TerminalTable, HasEscapeSequencesOnlyWhenColourIsAsked) {
 TEST(TerminalTable, NoLineIsWiderThanAsked) {
   results::Result result = samples::partial(16, 12);
   result.submission = "田中";
-  for (const std::string& line : linesOf(terminalTable(result, {.width = 70})))
+  for (const std::string& line : terminalLines(terminalTable(result, {.width = 70})))
     EXPECT_LE(displayWidth(line), 70u) << line;
 }
 
@@ -160,7 +160,7 @@ TEST(TerminalTable, ListAlignsWideNames) {
   results::Result wide = samples::perfect(16, 12), plain = samples::noFrame();
   wide.submission = "田中太郎";
   const std::vector<Summary> all = {summarize(wide), summarize(plain)};
-  const auto lines = linesOf(terminalTable(all, {.width = 90}));
+  const auto lines = terminalLines(terminalTable(all, {.width = 90}));
   ASSERT_EQ(lines.size(), 3u);
   const auto column = [](const std::string& line, const char* word) {
     return displayWidth(line.substr(0, line.find(word)));
