@@ -4,8 +4,7 @@ target_link_libraries(grading_tool PUBLIC ggrade_calibration ggrade_grading ggra
 target_compile_definitions(grading_tool PUBLIC GGRADE_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
   GGRADE_BUILD_DIR="${CMAKE_BINARY_DIR}")
 # grading_test_program(NAME SOURCES source... [options of ggrade_test]) makes a program that grades, by the library or by
-# the real tool. Those that draw many signatures keep all processors busy; beside them the same signatures would be drawn
-# twice.
+# the real tool.
 function(grading_test_program name)
   cmake_parse_arguments(ARG "" "" "SOURCES" ${ARGN})
   list(TRANSFORM ARG_SOURCES PREPEND ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/)
@@ -21,12 +20,12 @@ grading_test_program(grading_test TIMEOUT 300 COST 120 SOURCES
 target_sources(grading_test PRIVATE $<TARGET_OBJECTS:ggrade_rubrics>)
 grading_test_program(steps_grading_test TIMEOUT 400 COST 80 SOURCES grade_steps_test.cpp long_derive_test.cpp)
 # What is drawn for one diagnosis is there for the next one.
-grading_test_program(diagnosis_grading_test TIMEOUT 1800 PROCESSORS 2 COST 200 SOURCES
+grading_test_program(diagnosis_grading_test TIMEOUT 1800 COST 200 SOURCES
   grade_demo_test.cpp grade_diagnosis_test.cpp grade_language_test.cpp)
 grading_test_program(command_grading_test TIMEOUT 300 COST 100 SOURCES
   grade_input_test.cpp grade_interrupt_test.cpp grade_outcomes_test.cpp grade_render_test.cpp)
 add_dependencies(command_grading_test ggrade_compare floor floor_solution)
-grading_test_program(study_grading_test TIMEOUT 600 PROCESSORS 2 COST 60 SOURCES
+grading_test_program(study_grading_test TIMEOUT 600 COST 60 SOURCES
   grade_calibrate_test.cpp grade_tradeoff_test.cpp)
 grading_test_program(new_grading_test TIMEOUT 600 COST 60 SOURCES grade_new_test.cpp)
 # What a copy of the tree is built with, as this one is.

@@ -366,7 +366,7 @@ private:
       for (const auto& [name, source] : honest_)
         fs::copy(source, uploads() / name, fs::copy_options::recursive);
     run_ = runAmid(around_,
-                   {"batch", "mirror", uploads(), "--jobs", "2", "--no-diagnosis", "--out", out()},
+                   {"batch", "mirror", uploads(), "--jobs", "3", "--no-diagnosis", "--out", out()},
                    secret_, 1000);
   }
 
