@@ -48,8 +48,9 @@ TEST(Demo, ShowsEveryExampleAsItMustEnd) {
       EXPECT_EQ(results.at("score_without_bonus"), 100) << name;
     else
       EXPECT_LE(results.at("score_without_bonus"), 90) << name;
-    if (mistakes.contains(name))
+    if (mistakes.contains(name)) {
       EXPECT_EQ(results.at("diagnoses").at(0).at("id"), mistakes[name]) << name;
+    }
   }
   EXPECT_THAT(ended.out, HasSubstr((folder.path() / "demo/index.html").string()));
 }

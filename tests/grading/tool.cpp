@@ -421,7 +421,9 @@ int expectNoSolutionIn(const ggrade::Assignment& assignment, const fs::path& fol
     if (entry.is_regular_file() && entry.path().extension() != ".png" &&
         entry.path().extension() != ".f32" && entry.path().extension() != ".views")
       handedOut += read(entry.path());
-  if (!wholeBlocks) EXPECT_THAT(handedOut, testing::Not(testing::HasSubstr("SOLUTION(")));
+  if (!wholeBlocks) {
+    EXPECT_THAT(handedOut, testing::Not(testing::HasSubstr("SOLUTION(")));
+  }
   const fs::path solution = kSource / "solutions" / assignment.id;
   std::string around; // what stands outside of blocks in any file that is handed out
   for (const std::string& name : assignment.files)

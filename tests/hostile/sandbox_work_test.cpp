@@ -8,8 +8,6 @@
 namespace fs = std::filesystem;
 using namespace ggrade::sandbox;
 
-namespace {
-
 class SandboxWork : public Sandbox {
 protected:
   /// Compiles programs()/SOURCE inside into folder()/program.
@@ -31,8 +29,6 @@ protected:
     return command;
   }
 };
-
-} // namespace
 
 INSTANTIATE_TEST_SUITE_P(As, SandboxWork, testing::Values("root", "user"),
                          [](const auto& parameter) { return std::string(parameter.param); });

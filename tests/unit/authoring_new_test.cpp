@@ -117,7 +117,7 @@ TEST_F(Template, HoldsTheIdAndTheTitleWhereverItHeldItsOwn) {
     if (!entry.is_regular_file()) continue;
     ++files;
     std::string text = readFile(entry.path());
-    for (const std::string title : {kTitle, std::string("A \\\"new_assignment\\\" \\\\ of light")})
+    for (const std::string& title : {kTitle, std::string("A \\\"new_assignment\\\" \\\\ of light")})
       for (std::size_t at = 0; (at = text.find(title)) != text.npos;) text.erase(at, title.size());
     EXPECT_THAT(text, Not(HasSubstr("new_assignment"))) << entry.path();
     EXPECT_THAT(text, Not(HasSubstr("A new assignment"))) << entry.path();

@@ -10,13 +10,13 @@
 
 namespace ggrade::truth {
 
-namespace {
-
 template <auto release> struct Release {
   template <class T> void operator()(T* object) const { release(object); }
 };
 template <class Handle, auto release>
 using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release<release>>;
+
+namespace {
 
 void check(RTCDevice device) {
   if (const RTCError error = rtcGetDeviceError(device); error != RTC_ERROR_NONE)
