@@ -97,7 +97,8 @@ std::vector<std::string> remarks(const channel::Capture& capture) {
 std::string compareRuns(const Rendering& first, const Rendering& again, results::Scene& scene) {
   if (again.happened.outcome == Outcome::notGradable) return {}; // no fault of the submission
   if (first.happened.outcome != again.happened.outcome)
-    return say("a second run of the same program ended in another way ({})", again.happened.detail);
+    return say("a second run of the same program ended in another way ({})",
+               report::spaced(results::name(again.happened.outcome)));
   const auto frames = rawFrames(first.capture), others = rawFrames(again.capture);
   std::string where;
   for (std::size_t i = 0; i < frames.size() && i < others.size(); ++i) {
@@ -346,7 +347,6 @@ Graded Grader::draw(const Built& built, std::size_t count) {
     options_.progress("rendering", ++done, steps);
   };
   std::size_t first = 0;
-  bool twice = false;
   if (!scenes.empty() && scenes[0].isPublic) {
     if (isolation() == sandbox::Isolation::none) {
       fs::copy(known.shaders.folder, shaderFolder, fs::copy_options::recursive);
@@ -356,15 +356,12 @@ Graded Grader::draw(const Built& built, std::size_t count) {
     }
     render(first++);
     graded.shaders = {shaderFolder, {}};
-    twice = options_.twice && plan_.quality != Quality::fast && scenes[0].rendering.happened.ok() &&
-            !drawsTheReference(scenes[0]);
-  }
-  inParallel(scenes.size() - first + twice, options_.threads, [&](std::size_t i) {
-    if (first + i < scenes.size())
-      render(first + i);
-    else if (firstHung == scenes.size())
+    // Before any hidden scene is drawn: what this run does is told its student.
+    if (options_.twice && plan_.quality != Quality::fast && scenes[0].rendering.happened.ok() &&
+        !drawsTheReference(scenes[0]))
       graded.again = run(0, {});
-  });
+  }
+  inParallel(scenes.size() - first, options_.threads, [&](std::size_t i) { render(first + i); });
   // One scene that hangs is enough to wait for. What comes after the first counts as not run,
   // whether somebody was fast enough or not: so a result doesn't depend on how many go at a time.
   if (firstHung < scenes.size()) graded.again.reset();

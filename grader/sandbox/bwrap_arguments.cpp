@@ -72,7 +72,8 @@ View composeView(const Command& command, const fs::path& helper, bool staged, in
     if (fs::is_symlink("/" + link)) compose.add({"--symlink", "usr/" + link, "/" + link});
   for (const char* file : kSettings)
     if (fs::exists(file)) compose.bind("--ro-bind", file, file);
-  compose.add({"--proc", "/proc"});
+  // Read only: a process could make itself the last one that the kernel ends when memory runs out.
+  compose.add({"--proc", "/proc", "--remount-ro", "/proc"});
   for (const char* device : kDevices) compose.bind("--dev-bind", device, device);
   compose.add({"--symlink", "/proc/self/fd", "/dev/fd"});
   compose.bind("--ro-bind", helper, kHelperInside);

@@ -3,6 +3,7 @@
 #include "descriptor.hpp"
 
 #include <cerrno>
+#include <fcntl.h>
 #include <memory>
 #include <sched.h>
 #include <seccomp.h>
@@ -16,25 +17,22 @@ namespace {
 
 /// What compilers, linkers, Mesa and ordinary single-machine programs use.
 constexpr const char* kAllowed[] = {
-    // files
-    "read", "write", "readv", "writev", "pread64", "pwrite64", "preadv", "pwritev", "preadv2",
-    "pwritev2", "open", "openat", "openat2", "creat", "close", "close_range", "stat", "fstat",
-    "lstat", "newfstatat", "statx", "statfs", "fstatfs", "access", "faccessat", "faccessat2",
-    "lseek", "fcntl", "flock", "dup", "dup2", "dup3", "pipe", "pipe2", "rename", "renameat",
-    "renameat2", "mkdir", "mkdirat", "rmdir", "unlink", "unlinkat", "link", "linkat", "symlink",
-    "symlinkat", "readlink", "readlinkat", "chmod", "fchmod", "fchmodat", "chown", "fchown",
-    "lchown", "fchownat", "umask", "truncate", "ftruncate", "fallocate", "fsync", "fdatasync",
-    "sync_file_range", "getdents", "getdents64", "getcwd", "chdir", "fchdir", "utime", "utimes",
-    "utimensat", "futimesat", "copy_file_range", "sendfile", "fadvise64", "readahead", "mknod",
+    // files; fcntl and pread with flags have rules of their own
+    "read", "write", "readv", "writev", "pread64", "pwrite64", "preadv", "pwritev", "open",
+    "openat", "openat2", "creat", "close", "close_range", "stat", "fstat", "lstat", "newfstatat",
+    "statx", "statfs", "fstatfs", "access", "faccessat", "faccessat2", "lseek", "dup", "dup2",
+    "dup3", "pipe", "pipe2", "rename", "renameat", "renameat2", "mkdir", "mkdirat", "rmdir",
+    "unlink", "unlinkat", "link", "linkat", "symlink", "symlinkat", "readlink", "readlinkat",
+    "chmod", "fchmod", "fchmodat", "chown", "fchown", "lchown", "fchownat", "umask", "truncate",
+    "ftruncate", "fallocate", "fsync", "fdatasync", "getdents", "getdents64", "getcwd", "chdir",
+    "fchdir", "utime", "utimes", "utimensat", "futimesat", "copy_file_range", "sendfile", "mknod",
     "mknodat", "getxattr", "lgetxattr", "fgetxattr", "listxattr", "llistxattr", "flistxattr",
     // waiting
     "select", "pselect6", "poll", "ppoll", "epoll_create", "epoll_create1", "epoll_ctl",
     "epoll_wait", "epoll_pwait", "epoll_pwait2", "eventfd", "eventfd2", "signalfd", "signalfd4",
-    "timerfd_create", "timerfd_settime", "timerfd_gettime", "inotify_init", "inotify_init1",
-    "inotify_add_watch", "inotify_rm_watch",
-    // memory; mmap has rules of its own
-    "mprotect", "munmap", "mremap", "madvise", "brk", "msync", "mincore", "mlock", "mlock2",
-    "munlock", "membarrier",
+    "timerfd_create", "timerfd_settime", "timerfd_gettime",
+    // memory; mmap and madvise have rules of their own
+    "mprotect", "munmap", "mremap", "brk", "msync", "mlock", "mlock2", "munlock", "membarrier",
     // processes and threads; clone has a rule of its own
     "fork", "vfork", "execve", "execveat", "exit", "exit_group", "wait4", "waitid", "getpid",
     "getppid", "gettid", "getpgid", "getpgrp", "setpgid", "getsid", "setsid", "kill", "tkill",
@@ -54,12 +52,29 @@ constexpr const char* kAllowed[] = {
     "getuid", "geteuid", "getgid", "getegid", "getresuid", "getresgid", "getgroups", "uname",
     "sysinfo", "getrandom"};
 
+/// Commands of fcntl that concern the program's own descriptors alone.
+constexpr int kDescriptorCommands[] = {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD,      F_SETFD,
+                                       F_GETFL, F_SETFL,         F_GETPIPE_SZ, F_GET_SEALS};
+/// Those that leave something on the file for others to find, or make the kernel keep memory that
+/// nobody counts.
+constexpr int kFileCommands[] = {F_GETLK,      F_SETLK,      F_SETLKW,   F_OFD_GETLK, F_OFD_SETLK,
+                                 F_OFD_SETLKW, F_SETLEASE,   F_GETLEASE, F_NOTIFY,    F_SETOWN,
+                                 F_SETSIG,     F_SETPIPE_SZ, F_ADD_SEALS};
+/// Advice about a program's own address space; the rest of it moves pages of files that others see.
+constexpr int kMemoryAdvice[] = {MADV_NORMAL,     MADV_RANDOM,   MADV_SEQUENTIAL, MADV_DONTNEED,
+                                 MADV_FREE,       MADV_DONTFORK, MADV_DOFORK,     MADV_HUGEPAGE,
+                                 MADV_NOHUGEPAGE, MADV_DONTDUMP, MADV_DODUMP};
+
 /// Refused by name, so that a program's message is "Operation not permitted".
 constexpr const char* kRefused[] = {
     // memory and messages that outlive or evade the accounting of a process
     "memfd_create", "memfd_secret", "shmget", "shmat", "shmctl", "shmdt", "msgget", "msgsnd",
     "msgrcv", "msgctl", "semget", "semop", "semctl", "semtimedop", "mq_open", "mq_unlink",
     "remap_file_pages", "vmsplice", "userfaultfd",
+    // what two sandboxes could tell each other by, through the system's files that both see: who
+    // watches them, and which of their pages are in memory
+    "inotify_init", "inotify_init1", "inotify_add_watch", "inotify_rm_watch", "mincore",
+    "sync_file_range", "cachestat",
     // other processes
     "ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "kcmp", "pidfd_getfd",
     "perf_event_open",
@@ -120,6 +135,20 @@ std::string makeFilter() {
   filter.add(SCMP_ACT_ALLOW, "mmap", argument(3, MAP_ANONYMOUS | MAP_HUGETLB, 0));
   filter.add(SCMP_ACT_ALLOW, "mmap",
              argument(3, MAP_ANONYMOUS | MAP_HUGETLB | type, MAP_ANONYMOUS | MAP_PRIVATE));
+
+  // Locks, leases and notices stay on a file that every sandbox sees. Compilers and Mesa lock files
+  // of their own with flock: to them it is said to be done.
+  for (const int command : kDescriptorCommands)
+    filter.add(SCMP_ACT_ALLOW, "fcntl", argument(1, 0xffffffff, std::uint64_t(command)));
+  for (const int command : kFileCommands)
+    filter.add(refuse, "fcntl", argument(1, 0xffffffff, std::uint64_t(command)));
+  const std::uint32_t ignore = SCMP_ACT_ERRNO(0);
+  for (const char* name : {"flock", "fadvise64", "readahead"}) filter.add(ignore, name);
+  // RWF_NOWAIT tells whether a page of a file is in memory.
+  for (const char* name : {"preadv2", "pwritev2"})
+    filter.add(SCMP_ACT_ALLOW, name, argument(5, 0xffffffff, 0));
+  for (const int advice : kMemoryAdvice)
+    filter.add(SCMP_ACT_ALLOW, "madvise", argument(2, 0xffffffff, std::uint64_t(advice)));
 
   // Terminals: only questions. TIOCSTI and TIOCLINUX type into one.
   for (const std::uint64_t request :

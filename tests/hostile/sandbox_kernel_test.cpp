@@ -27,6 +27,12 @@ TEST_P(SandboxKernel, NoKeyringsNoBpfNoOthers) {
   expectRefused("kernel");
 }
 
+// Two sandboxes see the same system files: none may leave a note there, nor read one.
+TEST_P(SandboxKernel, SharedFilesAreNoBlackboard) {
+  if (delegated()) return;
+  expectRefused("blackboard", {"/usr/bin/env"});
+}
+
 // With these arguments the kernel would answer something else.
 TEST_P(SandboxKernel, TheFilterItselfRefuses) {
   if (delegated()) return;

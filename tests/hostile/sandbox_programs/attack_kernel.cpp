@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <sched.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
+#include <sys/mman.h>
 #include <sys/personality.h>
 #include <sys/ptrace.h>
 #include <sys/reboot.h>
@@ -106,10 +108,63 @@ int kernelAttack(const Arguments&) {
   // The upper half of the request is ignored by the kernel and must not fool the filter.
   attempts.add("TIOCSTI in disguise",
                syscall(SYS_ioctl, 0, 0x100000000ull | TIOCSTI, &letter) == 0);
+  // Whom the kernel ends first when memory runs out.
+  const int badness = open("/proc/self/oom_score_adj", O_WRONLY);
+  attempts.add("lower oom_score_adj", write(badness, "0", 1) == 1);
   attempts.add("run in real time", [] {
     const sched_param parameters{10};
     return sched_setscheduler(0, SCHED_FIFO, &parameters) == 0;
   }());
+  return attempts.outcome();
+}
+
+/// Ways to leave a note on a file that every sandbox sees, or to read one: locks, leases, watches,
+/// and which of its pages are in memory.
+int blackboardAttack(const Arguments& arguments) {
+  Attempts attempts;
+  signal(SIGIO, SIG_IGN); // where a watch works it comes
+  const char* const shared = arguments.at(0).c_str();
+  const int file = open(shared, O_RDONLY), again = open(shared, O_RDONLY);
+  attempts.add("the file is not there", file < 0 || again < 0);
+  struct flock lock {};
+  lock.l_type = F_RDLCK;
+  lock.l_len = 1;
+  for (const auto& [name, command] : {std::pair{"F_SETLK", F_SETLK},
+                                      {"F_SETLKW", F_SETLKW},
+                                      {"F_OFD_SETLK", F_OFD_SETLK},
+                                      {"F_OFD_SETLKW", F_OFD_SETLKW},
+                                      {"F_GETLK", F_GETLK},
+                                      {"F_OFD_GETLK", F_OFD_GETLK}})
+    attempts.add(name, fcntl(file, command, &lock) == 0);
+  attempts.add("F_SETLEASE", fcntl(file, F_SETLEASE, F_RDLCK) == 0);
+  attempts.add("F_GETLEASE", fcntl(file, F_GETLEASE) >= 0);
+  attempts.add("F_NOTIFY", fcntl(open("/usr/bin", O_RDONLY), F_NOTIFY, DN_ACCESS) == 0);
+  // The upper half of the command is ignored by the kernel and must not fool the filter.
+  attempts.add("F_SETLK in disguise",
+               syscall(SYS_fcntl, file, 0x100000000ull | F_SETLK, &lock) == 0);
+  // What is said to be done and isn't: else the second lock would be refused...
+  attempts.add("flock", flock(file, LOCK_EX) != 0 || flock(again, LOCK_EX | LOCK_NB) != 0);
+  // ... and a pipe has no pages to speak of.
+  int ends[2];
+  attempts.add("no pipe", pipe(ends) != 0);
+  attempts.add("fadvise64", syscall(SYS_fadvise64, ends[0], 0, 0, POSIX_FADV_DONTNEED) != 0);
+  attempts.add("readahead", syscall(SYS_readahead, ends[0], 0, 4096) != 0);
+  attempts.add("F_SETPIPE_SZ", fcntl(ends[0], F_SETPIPE_SZ, 1 << 20) >= 0);
+  attempts.add("inotify_init", syscall(SYS_inotify_init1, 0) >= 0);
+  attempts.add("sync_file_range", syscall(SYS_sync_file_range, file, 0, 0, 0) == 0);
+  attempts.add("cachestat", syscall(451, file, 0, 0, 0) == 0);
+  char byte = 0;
+  iovec to{&byte, 1};
+  attempts.add("RWF_NOWAIT", preadv2(file, &to, 1, 0, RWF_NOWAIT) >= 0 || errno == EAGAIN);
+  attempts.add("preadv2 without flags must work", preadv2(file, &to, 1, 0, 0) != 1);
+  void* const pages = mmap(nullptr, 4096, PROT_READ, MAP_SHARED, file, 0);
+  attempts.add("no mapping", pages == MAP_FAILED);
+  unsigned char resident = 0;
+  attempts.add("mincore", mincore(pages, 4096, &resident) == 0);
+  attempts.add("MADV_COLD", madvise(pages, 4096, 20) == 0);
+  attempts.add("MADV_PAGEOUT", madvise(pages, 4096, 21) == 0);
+  attempts.add("MADV_WILLNEED", madvise(pages, 4096, MADV_WILLNEED) == 0);
+  attempts.add("MADV_DONTNEED must work", madvise(pages, 4096, MADV_DONTNEED) != 0);
   return attempts.outcome();
 }
 
@@ -153,6 +208,7 @@ void addKernelAttacks(Attacks& attacks) {
                   {"trace", traceAttack},
                   {"namespace", namespaceAttack},
                   {"kernel", kernelAttack},
+                  {"blackboard", blackboardAttack},
                   {"filter", filterAttack},
                   {"foreign", foreignAttack}});
 }
