@@ -4,6 +4,7 @@
 #include "batch/record.hpp"
 #include "batch/state.hpp"
 #include "grading/workspace.hpp"
+#include "report/text.hpp"
 
 #include <fmt/format.h>
 
@@ -52,6 +53,7 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
   Merged merged;
   State joined;
   std::map<std::string, std::pair<Record, fs::path>> taken;
+  std::map<std::string, fs::path> damaged; // names of results that can't be read, and where
   for (const fs::path& folder : from) {
     const auto state = loadState(folder);
     if (!state) throw UsageError(fmt::format("{} holds no graded class", folder.string()));
@@ -60,7 +62,8 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
     if (!state->isFinished)
       merged.remarks.push_back(
           fmt::format("{} is not finished: go on with it by --resume", folder.string()));
-    for (Record& record : loadRecords(folder)) {
+    std::vector<std::string> unread;
+    for (Record& record : loadRecords(folder, &unread)) {
       const std::string name = record.row.folder;
       if (!taken.empty())
         requireAlike(record, folder, taken.begin()->second.first, taken.begin()->second.second);
@@ -82,7 +85,14 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
       record.row.thumbnail.clear();
       taken.emplace(name, std::pair{std::move(record), folder});
     }
+    for (const std::string& name : unread) damaged.emplace(name, folder);
   }
+  for (const auto& [name, folder] : damaged)
+    if (!taken.contains(name))
+      merged.conflicts.push_back(fmt::format(
+          "{} is missing here: its record in {} can't be read; grade it again there with "
+          "--resume, then merge anew",
+          report::sanitizeLine(name, 80), (folder / name).string()));
   joined.isFinished = merged.remarks.empty();
   saveState(out, joined);
   return merged;

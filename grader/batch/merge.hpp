@@ -11,8 +11,9 @@ namespace ggrade::batch {
 struct Merged {
   std::string target;
   std::size_t copied = 0;
-  std::vector<std::string> conflicts; ///< one sentence each: the first folder's result was kept
-  std::vector<std::string> remarks;   ///< shards that aren't finished
+  /// One sentence each: the first folder's result was kept, or a result can't be read anywhere.
+  std::vector<std::string> conflicts;
+  std::vector<std::string> remarks; ///< shards that aren't finished
 };
 
 /// Copies the results of the classes in `from` to `out`, a new or empty folder. A submission that

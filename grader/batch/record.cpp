@@ -143,7 +143,7 @@ std::optional<Record> loadRecord(const fs::path& folder) try {
   return std::nullopt;
 }
 
-std::vector<Record> loadRecords(const fs::path& out) {
+std::vector<Record> loadRecords(const fs::path& out, std::vector<std::string>* damaged) {
   std::vector<fs::path> folders;
   for (const fs::directory_entry& entry : fs::directory_iterator(out))
     if (entry.is_directory() && !entry.path().filename().string().starts_with("."))
@@ -151,7 +151,10 @@ std::vector<Record> loadRecords(const fs::path& out) {
   std::sort(folders.begin(), folders.end());
   std::vector<Record> records;
   for (const fs::path& folder : folders)
-    if (auto record = loadRecord(folder)) records.push_back(std::move(*record));
+    if (auto record = loadRecord(folder))
+      records.push_back(std::move(*record));
+    else if (damaged && (fs::exists(folder / kRecord) || fs::exists(folder / "results.json")))
+      damaged->push_back(folder.filename().string());
   return records;
 }
 

@@ -36,8 +36,10 @@ void saveRecord(const std::filesystem::path& folder, const Record& record);
 /// graded again. The thumbnail is read, too.
 std::optional<Record> loadRecord(const std::filesystem::path& folder);
 
-/// Every record in the folders of `out`, by folder name.
-std::vector<Record> loadRecords(const std::filesystem::path& out);
+/// Every record in the folders of `out`, by folder name. `damaged` gets the names of folders that
+/// hold a result whose record can't be read.
+std::vector<Record> loadRecords(const std::filesystem::path& out,
+                                std::vector<std::string>* damaged = nullptr);
 
 /// Where a result becomes a folder.
 struct Destination {

@@ -51,14 +51,20 @@ std::vector<Found> listEntries(const fs::path& folder, Remarks& remarks) {
   return all;
 }
 
+bool isMoodle(const Found& found) {
+  return parseMoodle(found.name).has_value();
+}
+bool isCanvas(const Found& found) {
+  return found.kind == Kind::file && parseCanvas(found.name).has_value();
+}
+
+/// What most of the names are: a student may choose one that looks like another layout's.
 Layout layoutOf(const std::vector<Found>& entries) {
-  std::size_t canvas = 0;
-  for (const Found& found : entries) {
-    if (parseMoodle(found.name)) return Layout::moodle;
-    if (found.kind == Kind::file && parseCanvas(found.name)) ++canvas;
-  }
-  // One file of a plain folder may look so by chance.
-  return 2 * canvas > entries.size() ? Layout::canvas : Layout::plain;
+  const auto areMost = [&](const auto& is) {
+    return 2 * std::size_t(std::ranges::count_if(entries, is)) > entries.size();
+  };
+  if (areMost(isMoodle)) return Layout::moodle;
+  return areMost(isCanvas) ? Layout::canvas : Layout::plain;
 }
 
 Upload startUpload(const std::string& student, const std::string& name, const std::string& folder) {
@@ -133,13 +139,12 @@ std::vector<Upload> moodleUploads(const std::vector<Found>& entries, Remarks& re
   std::map<std::string, Student> students;
   for (const Found& found : entries) {
     const std::optional<MoodleName> name = parseMoodle(found.name);
-    if (!name || name->onlineText) {
-      remarks.push_back(displayName(found.name) +
-                        (name ? ": online text, not a file" : ": not a name of Moodle's"));
-      continue;
-    }
     Student& student = students[name->identifier];
     student.name = name->name;
+    if (name->onlineText) {
+      remarks.push_back(displayName(found.name) + ": online text, not a file");
+      continue;
+    }
     const std::int64_t modified = newest(found.path);
     if (found.kind == Kind::folder) {
       student.folders.push_back({{{found.path, found.name}}, modified});
@@ -156,7 +161,7 @@ std::vector<Upload> moodleUploads(const std::vector<Found>& entries, Remarks& re
         std::max_element(attempts.begin(), attempts.end(),
                          [](const auto& a, const auto& b) { return a.modified < b.modified; });
     Upload upload = startUpload(identifier, student.name, folderName(student.name, identifier));
-    upload.sources = last->sources;
+    if (last != attempts.end()) upload.sources = last->sources; // else nothing but online text
     if (attempts.size() > 1)
       upload.remarks.push_back(fmt::format("{} attempts: the one of {} counts", attempts.size(),
                                            isoTime(last->modified)));
@@ -197,7 +202,7 @@ std::vector<Source> latestVersions(const std::vector<Source>& files,
 }
 
 std::vector<Upload> canvasUploads(const std::vector<Found>& entries,
-                                  const std::vector<std::string>& wanted, Remarks& remarks) {
+                                  const std::vector<std::string>& wanted) {
   struct Student {
     std::string name;
     bool late = false;
@@ -206,10 +211,6 @@ std::vector<Upload> canvasUploads(const std::vector<Found>& entries,
   std::map<std::string, Student> students;
   for (const Found& found : entries) {
     const std::optional<CanvasName> name = parseCanvas(found.name);
-    if (!name || found.kind != Kind::file) {
-      remarks.push_back(displayName(found.name) + ": not a name of Canvas'");
-      continue;
-    }
     Student& student = students[name->user];
     student.name = name->name;
     student.late |= name->late;
@@ -252,19 +253,22 @@ Intake findUploads(const fs::path& source, const std::vector<std::string>& wante
     folder = work / "class";
     unpackClass(source, folder, isolation, cancel, intake.remarks);
   }
-  const std::vector<Found> entries = listEntries(folder, intake.remarks);
+  std::vector<Found> entries = listEntries(folder, intake.remarks);
   intake.layout = layoutOf(entries);
-  switch (intake.layout) {
-  case Layout::plain:
-    intake.uploads = plainUploads(entries, intake.remarks);
-    break;
-  case Layout::moodle:
-    intake.uploads = moodleUploads(entries, intake.remarks);
-    break;
-  case Layout::canvas:
-    intake.uploads = canvasUploads(entries, wanted, intake.remarks);
-    break;
-  }
+  // Names of the layout first. Whoever has another name is graded all the same, and has a row.
+  const bool moodle = intake.layout == Layout::moodle, canvas = intake.layout == Layout::canvas;
+  const auto others = std::stable_partition(entries.begin(), entries.end(), [&](const Found& one) {
+    return (moodle && isMoodle(one)) || (canvas && isCanvas(one));
+  });
+  const std::vector<Found> named(entries.begin(), others), plain(others, entries.end());
+  if (moodle) intake.uploads = moodleUploads(named, intake.remarks);
+  if (canvas) intake.uploads = canvasUploads(named, wanted);
+  if (moodle || canvas)
+    for (const Found& one : plain)
+      intake.remarks.push_back(fmt::format("{}: not a name of {}, graded under its own",
+                                           displayName(one.name), moodle ? "Moodle's" : "Canvas'"));
+  for (Upload& upload : plainUploads(plain, intake.remarks))
+    intake.uploads.push_back(std::move(upload));
   if (intake.uploads.empty())
     throw UsageError(fmt::format("{} holds no upload: name the folder with a folder, an archive or "
                                  "a file for each student",

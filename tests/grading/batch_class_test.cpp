@@ -233,6 +233,15 @@ TEST_F(Batch, SharesOfTwoMachinesAreJoined) {
   EXPECT_THAT(conflict.out, HasSubstr("55 in "));
   EXPECT_EQ(gradebook(students.out("other")).at("student1").at(9), "110");
 
+  // Half a record is nobody's: its student is named, and the others are there.
+  std::ofstream(students.out("two") / "student2/record.json") << kept.dump().substr(0, 40);
+  const tool::Ended damaged = tool::runTool(
+      {"merge", students.out("one"), students.out("two"), "--out", students.out("fourth")});
+  EXPECT_EQ(damaged.exitCode, 1);
+  EXPECT_THAT(damaged.out, HasSubstr("student2 is missing here: its record in "));
+  EXPECT_EQ(gradebook(students.out("fourth")).count("student2"), 0U);
+  EXPECT_EQ(gradebook(students.out("fourth")).count("student3"), 1U);
+
   EXPECT_THAT(tool::runTool({"merge", students.uploads(), "--out", students.out("third")}).errors,
               HasSubstr("holds no graded class"));
 }

@@ -139,13 +139,28 @@ TEST_F(FindMoodle, ReadsFoldersInBothSpellings) {
   folder.write("readme.txt", "");
   const Intake intake = find();
   EXPECT_EQ(intake.layout, Layout::moodle);
-  ASSERT_THAT(folders(intake), ElementsAre("Hanako_Yamada_101", "学生_二_102"));
-  EXPECT_EQ(intake.uploads[0].student, "101");
-  EXPECT_EQ(intake.uploads[0].name, "Hanako Yamada");
-  EXPECT_EQ(intake.uploads[1].name, "学生 二");
+  // Nobody is left out: neither who handed in no file, nor who has another name.
+  ASSERT_THAT(folders(intake),
+              ElementsAre("A_B_103", "Hanako_Yamada_101", "readme", "学生_二_102"));
+  EXPECT_THAT(intake.uploads[0].sources, IsEmpty());
+  EXPECT_EQ(intake.uploads[1].student, "101");
+  EXPECT_EQ(intake.uploads[1].name, "Hanako Yamada");
+  EXPECT_EQ(intake.uploads[2].student, "readme");
+  EXPECT_EQ(intake.uploads[3].name, "学生 二");
   EXPECT_THAT(intake.remarks,
               ElementsAre("A B_103_assignsubmission_onlinetext_: online text, not a file",
-                          "readme.txt: not a name of Moodle's"));
+                          "readme.txt: not a name of Moodle's, graded under its own"));
+}
+
+/// A student chose it: that must not make the others vanish.
+TEST_F(FindMoodle, OneNameOfMoodlesInAPlainFolderIsAName) {
+  for (const char* name : {"ada", "ben", "cem", "dot", "eve", "fay"})
+    folder.write(std::string(name) + "/floor.cpp", "");
+  folder.write("x_1_assignsubmission_file_/floor.cpp", "");
+  const Intake intake = find();
+  EXPECT_EQ(intake.layout, Layout::plain);
+  EXPECT_THAT(folders(intake),
+              ElementsAre("ada", "ben", "cem", "dot", "eve", "fay", "x_1_assignsubmission_file"));
 }
 
 TEST_F(FindMoodle, FilesWithoutFoldersAreOneAttempt) {
@@ -183,13 +198,14 @@ TEST_F(FindCanvas, GathersAStudentsFiles) {
   folder.write("notes.txt", "");
   const Intake intake = find();
   EXPECT_EQ(intake.layout, Layout::canvas);
-  ASSERT_THAT(folders(intake), ElementsAre("yamadahanako_5012", "学生二_5013"));
-  EXPECT_EQ(intake.uploads[0].student, "5012");
-  EXPECT_THAT(intake.uploads[0].remarks, Not(Contains("Canvas marks it as late")));
-  EXPECT_THAT(intake.uploads[1].remarks, Contains("Canvas marks it as late"));
-  ASSERT_EQ(intake.uploads[0].sources.size(), 2u);
-  EXPECT_EQ(intake.uploads[0].sources[1].name, "mirror.vert");
-  EXPECT_THAT(intake.remarks, ElementsAre("notes.txt: not a name of Canvas'"));
+  ASSERT_THAT(folders(intake), ElementsAre("notes", "yamadahanako_5012", "学生二_5013"));
+  EXPECT_EQ(intake.uploads[1].student, "5012");
+  EXPECT_THAT(intake.uploads[1].remarks, Not(Contains("Canvas marks it as late")));
+  EXPECT_THAT(intake.uploads[2].remarks, Contains("Canvas marks it as late"));
+  ASSERT_EQ(intake.uploads[1].sources.size(), 2u);
+  EXPECT_EQ(intake.uploads[1].sources[1].name, "mirror.vert");
+  EXPECT_THAT(intake.remarks,
+              ElementsAre("notes.txt: not a name of Canvas', graded under its own"));
 }
 
 TEST_F(FindCanvas, TheHighestVersionCounts) {
