@@ -1,5 +1,6 @@
 #include "json_positions.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -198,6 +199,10 @@ std::string inQuotes(std::string_view text) {
 std::vector<JsonEntry> readJson(std::string_view text, const std::string& name) {
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw SceneError(say("{}:1: is UTF-16; save the file as UTF-8", name));
+  // The parser would take it for the end.
+  if (const std::size_t nul = text.find('\0'); nul != text.npos)
+    throw SceneError(say("{}:{}: holds a NUL byte; save the file as text", name,
+                         1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(nul), '\n')));
   LineCounter lines;
   Reader reader(name, lines);
   json::sax_parse(CountingIterator(text.data(), &lines),

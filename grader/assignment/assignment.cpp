@@ -129,12 +129,24 @@ std::string readFile(const fs::path& path) {
 
 json readJson(const fs::path& path) {
   const std::string text = readFile(path);
+  const auto lineAt = [&](std::size_t at) {
+    return 1 + std::count(text.begin(), text.begin() + std::min(at, text.size()), '\n');
+  };
+  // The parser would take it for the end.
+  if (const std::size_t nul = text.find('\0'); nul != text.npos)
+    throw UsageError(
+        gg::say("{}:{}: holds a NUL byte; save the file as text", path.string(), lineAt(nul)));
   try {
     return json::parse(text);
   } catch (const json::parse_error& error) {
-    const std::size_t end = std::min<std::size_t>(error.byte, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + end, '\n');
-    throw UsageError(fmt::format("{}:{}: {}", path.string(), line, error.what()));
+    throw UsageError(fmt::format("{}:{}: {}", path.string(), lineAt(error.byte), error.what()));
+  } catch (const json::out_of_range& error) {
+    // "number overflow parsing '1e999'": where, only the number tells.
+    const std::string what = error.what();
+    const std::size_t quote = what.find('\'');
+    const std::string number =
+        quote == what.npos ? "" : what.substr(quote + 1, what.rfind('\'') - quote - 1);
+    throw UsageError(fmt::format("{}:{}: {}", path.string(), lineAt(text.find(number)), what));
   }
 }
 

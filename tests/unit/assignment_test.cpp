@@ -124,6 +124,17 @@ TEST_F(AssignmentFile, ThatIsNoJsonNamesTheLine) {
   EXPECT_THAT(problem(), HasSubstr("cube/assignment.json:1: "));
 }
 
+TEST_F(AssignmentFile, ANumberBeyondAllNamesItsLine) {
+  files_.write("cube/assignment.json", "{\n\"id\": \"cube\",\n\"points\": 1e999 }");
+  EXPECT_THAT(problem(), HasSubstr("cube/assignment.json:3: "));
+  EXPECT_THAT(problem(), HasSubstr("number overflow parsing '1e999'"));
+}
+
+TEST_F(AssignmentFile, WithANulByteIsNoText) {
+  files_.write("cube/assignment.json", kSample.dump() + "\n" + std::string(1, '\0'));
+  EXPECT_THAT(problem(), HasSubstr("cube/assignment.json:2: holds a NUL byte"));
+}
+
 TEST_F(AssignmentFile, WithAWrongValueNamesTheFileAndTheFault) {
   const auto names = [](const std::string& what) {
     return AllOf(HasSubstr("cube/assignment.json: "), HasSubstr(what));

@@ -74,6 +74,13 @@ TEST(SceneJson, ANumberThatIsNotFiniteIsAnError) {
             "scene.json:2: is not valid JSON: number overflow parsing '1e999'");
 }
 
+TEST(SceneJson, ANulByteIsNoEnd) {
+  using namespace std::string_literals;
+  EXPECT_EQ(messageFor("{}\n\0"s), "scene.json:2: holds a NUL byte; save the file as text");
+  EXPECT_EQ(messageFor("{}\0{\"ring\": 1}"s),
+            "scene.json:1: holds a NUL byte; save the file as text");
+}
+
 TEST(SceneJson, OnlyAnObjectIsAScene) {
   for (const char* text : {"[]", "5", "\"x\"", "null", "[{}]"})
     EXPECT_EQ(messageFor(text), "scene.json:1: must be an object: { ... }") << text;
