@@ -229,6 +229,9 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
   } else if (run.end == End::exited && run.exitCode == 0 &&
              (isolation == Isolation::none || run.collected)) {
     happened.outcome = Outcome::graded;
+  } else if (run.collectIsOurs) {
+    happened.outcome = Outcome::notGradable;
+    happened.detail = say("the program could not be kept: {}", run.collectProblem);
   } else if (run.end == End::exited && run.exitCode == 0) {
     happened.outcome = Outcome::buildFailed;
     happened.detail = say("the compiler left no program: {}", run.collectProblem);

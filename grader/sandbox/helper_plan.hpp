@@ -54,7 +54,7 @@ struct HelperReport {
     exited,      ///< value is the exit code
     signalled,   ///< value is the signal
     collected,   ///< all of them; bit n of value is 1 if file n is executable
-    notCollected ///< `text` says why
+    notCollected ///< `text` says why; value is 1 if that is our fault: no room where it goes
   };
   Kind kind = Kind::failed;
   std::int32_t value = 0;

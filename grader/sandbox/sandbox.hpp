@@ -97,6 +97,7 @@ struct Result {
   bool outputTruncated = false;
   bool collected = false;     ///< all of `collect` was written
   std::string collectProblem; ///< why it was not, after a successful exit
+  bool collectIsOurs = false; ///< our fault: there was no room for it, or the disk failed
   std::string detail;         ///< one sentence with the limit and the value that met it
 };
 

@@ -268,6 +268,7 @@ void Supervisor::conclude() {
       break;
     case Kind::notCollected:
       result_.collectProblem = report.text;
+      result_.collectIsOurs = report.value != 0;
       break;
     }
   }

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sys/mman.h>
+#include <sys/mount.h>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -159,6 +160,23 @@ TEST_P(SandboxFiles, CollectsAllFilesOrNone) {
   EXPECT_FALSE(result.collected);
   EXPECT_EQ(result.collectProblem, "/scratch/missing cannot be opened: No such file or directory");
   EXPECT_FALSE(fs::exists(folder() + "/third"));
+}
+
+// Else a program that is right would be told that it doesn't compile.
+TEST_P(SandboxFiles, AFullDiskOfOursIsNoFaultOfTheCommands) {
+  if (delegated()) return;
+  const std::string small = folder() + "/small";
+  fs::create_directory(small);
+  if (mount("tmpfs", small.c_str(), "tmpfs", 0, "size=4k,nr_inodes=8") != 0)
+    return; // only root can make a disk that is full
+  std::ofstream(small + "/taken") << std::string(4096, 't') << std::flush;
+  Command command = attack("collect", {"regular"});
+  command.collect = {{"/scratch/product", small + "/product"}};
+  const Result result = run(command);
+  umount(small.c_str());
+  EXPECT_FALSE(result.collected);
+  EXPECT_TRUE(result.collectIsOurs) << describe(result);
+  EXPECT_EQ(result.collectProblem, "/scratch/product cannot be stored: No space left on device");
 }
 
 TEST_P(SandboxFiles, CollectsNothingElse) {

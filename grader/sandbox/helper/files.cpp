@@ -41,6 +41,9 @@ int openPlain(const std::string& path) {
   return static_cast<int>(syscall(SYS_openat2, AT_FDCWD, path.c_str(), &how, sizeof how));
 }
 
+/// What the caller's disk refuses is no fault of the command's.
+constexpr char kNotStored[] = "cannot be stored: ";
+
 std::string copyOut(int from, int into, std::uint64_t limit) {
   std::uint64_t total = 0;
   static char block[1 << 16];
@@ -52,7 +55,7 @@ std::string copyOut(int from, int into, std::uint64_t limit) {
     if (total > limit) return "is larger than " + std::to_string(limit) + " bytes";
     for (ssize_t done = 0; done < count;) {
       const ssize_t written = write(into, block + done, static_cast<std::size_t>(count - done));
-      if (written < 0) return std::string("cannot be stored: ") + std::strerror(errno);
+      if (written < 0) return kNotStored + std::string(std::strerror(errno));
       done += written;
     }
   }
@@ -77,7 +80,8 @@ void collect(const HelperPlan& plan) {
   };
   for (std::size_t n = 0; n < plan.collect.size(); ++n)
     if (const std::string problem = copyFile(n); !problem.empty())
-      return report(plan, HelperReport::Kind::notCollected, plan.collect[n] + " " + problem);
+      return report(plan, HelperReport::Kind::notCollected, plan.collect[n] + " " + problem, 0,
+                    problem.starts_with(kNotStored));
   report(plan, HelperReport::Kind::collected, "", 0, executable);
 }
 
