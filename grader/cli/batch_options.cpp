@@ -112,7 +112,7 @@ void ClassProgress::operator()(const batch::Step& step) {
   const std::string name = report::sanitizeLine(step.name, 40);
   const batch::Reply& reply = step.reply;
   std::string how = reply.problem.empty() ? report::spaced(reply.outcome)
-                                           : "NOT GRADED: " + report::sanitizeLine(reply.problem);
+                                          : "NOT GRADED: " + report::sanitizeLine(reply.problem);
   if (reply.problem.empty() && reply.outcome != "not_gradable")
     how += fmt::format(", {} of {}", report::number(reply.score, 1),
                        report::number(reply.maxScore, 1));

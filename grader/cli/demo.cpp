@@ -42,8 +42,11 @@ std::vector<Example> examples(const Assignment& assignment, const fs::path& solu
   std::sort(patches.begin(), patches.end());
   for (const fs::path& patch : patches) {
     auto header = grading::patchHeader(patch);
-    all.push_back({patch.stem().string(), header.at("Grades"), header.at("Outcome"),
-                   header["Mistake"], {solutions, {patch}}});
+    all.push_back({patch.stem().string(),
+                   header.at("Grades"),
+                   header.at("Outcome"),
+                   header["Mistake"],
+                   {solutions, {patch}}});
   }
   return all;
 }

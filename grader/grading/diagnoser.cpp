@@ -109,8 +109,7 @@ std::vector<Candidate> Diagnoser::suspects(const std::vector<std::string>& lost,
         (bonus || std::ranges::find(lost, mistake.fails) != lost.end()))
       all.push_back(candidateOf(mistake));
   }
-  if (only_)
-    std::erase_if(all, [&](const Candidate& one) { return !only_->count(one.name); });
+  if (only_) std::erase_if(all, [&](const Candidate& one) { return !only_->count(one.name); });
   return all;
 }
 

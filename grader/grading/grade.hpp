@@ -46,7 +46,7 @@ struct GraderOptions {
   /// Does the public scene run a second time (not with quality `fast`, nor if the program draws the
   /// reference's picture) to see whether the program draws the same again?
   bool twice = true;
-  bool diagnosis = true;        ///< is the likeliest cause of lost points looked for?
+  bool diagnosis = true; ///< is the likeliest cause of lost points looked for?
   /// Of the mistakes in the catalogue and the steps ("step.2") those that it looks for; nothing:
   /// all.
   std::optional<std::set<std::string>> suspects = {};

@@ -18,7 +18,7 @@ namespace {
 class Truth : public testing::Test {
 protected:
   truth::Judgement ask(const std::string& part, const json& change = json::object(),
-                    double time = 0.4) {
+                       double time = 0.4) {
     const json scene = extremes::sceneOf("floor", {part}, change);
     const extremes::Drawn drawn = extremes::draw("floor", scene, {time});
     const truth::Judgement answer =

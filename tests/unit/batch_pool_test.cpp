@@ -29,8 +29,8 @@ class BatchPool : public testing::Test {
 protected:
   /// \param script what a worker does with each job; $line holds it, $n counts from 1
   std::map<std::string, batch::Reply> run(const std::string& script, std::size_t count,
-                                           unsigned processes = 1, double seconds = 60,
-                                           const std::string& begin = "echo ready") {
+                                          unsigned processes = 1, double seconds = 60,
+                                          const std::string& begin = "echo ready") {
     std::vector<batch::Job> jobs(count);
     for (std::size_t i = 0; i < count; ++i) jobs[i].upload.name = "student" + std::to_string(i);
     batch::PoolOptions options;
