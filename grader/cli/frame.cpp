@@ -60,7 +60,8 @@ struct NoSandbox : std::runtime_error {
 };
 
 /// Commands that are a program of their own, so that nothing else builds or loads what they stand
-/// on: the program gets the words from `from` on. Returns if the command is none of them.
+/// on: it gets the same words, and `compare`, which has no subcommands, those behind the first.
+/// Returns if the command is none of them.
 void startElsewhere(const std::string& command, char** words) {
   constexpr std::pair<const char*, const char*> kPrograms[] = {
       {"compare", "ggrade-compare"}, {"calibrate", "ggrade-author"}, {"tradeoff", "ggrade-author"},

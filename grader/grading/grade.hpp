@@ -59,7 +59,7 @@ struct GraderOptions {
 /// references, the judge, and what is known of mistakes. Several threads may ask.
 /// \code
 /// Grader grader(target, solutions, drawScenes(target, solutions), {});
-/// const report::Result result = grader.gradeUpload(upload);
+/// const results::Result result = grader.gradeUpload(upload);
 /// \endcode
 class Grader {
 public:
