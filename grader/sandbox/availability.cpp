@@ -43,6 +43,10 @@ SelfTest selfTest() {
   const auto fails = [](std::string why) { return SelfTest{std::move(why), {}}; };
   if (access(kBwrap, X_OK) != 0)
     return fails(std::string(kBwrap) + " is missing. Remedy: apt-get install bubblewrap");
+  // By it a run's processes are found, so that limits hold for all of them together.
+  if (access("/proc/thread-self/children", R_OK) != 0)
+    return fails("this kernel doesn't list the children of a process (CONFIG_PROC_CHILDREN), or "
+                 "/proc is not mounted. Remedy: a kernel of a distribution, with /proc");
   Command command;
   command.arguments = {kHelperInside, "probe"};
   command.limits.wallSeconds = 10;

@@ -72,10 +72,14 @@ View composeView(const Command& command, const fs::path& helper, bool staged, in
     if (fs::is_symlink("/" + link)) compose.add({"--symlink", "usr/" + link, "/" + link});
   for (const char* file : kSettings)
     if (fs::exists(file)) compose.bind("--ro-bind", file, file);
-  // Read only: a process could make itself the last one that the kernel ends when memory runs out.
-  compose.add({"--proc", "/proc", "--remount-ro", "/proc"});
+#ifdef __SANITIZE_ADDRESS__
+  compose.add({"--proc", "/proc", "--remount-ro", "/proc"}); // sanitized programs look for it
+#else
+  // The real one tells the host's paths, load and memory. Nothing of it is needed but the program's
+  // own place.
+  compose.add({"--dir", "/proc/self", "--symlink", command.arguments[0], "/proc/self/exe"});
+#endif
   for (const char* device : kDevices) compose.bind("--dev-bind", device, device);
-  compose.add({"--symlink", "/proc/self/fd", "/dev/fd"});
   compose.bind("--ro-bind", helper, kHelperInside);
 
   const std::uint64_t size = std::max<std::uint64_t>(command.limits.scratchBytes, 4096);
@@ -93,7 +97,7 @@ View composeView(const Command& command, const fs::path& helper, bool staged, in
     check(mount);
     compose.bind("--ro-bind", fs::absolute(mount.host), mount.inside.string());
   }
-  // Last, when every mount point exists: / with /dev, /etc and /run is one tmpfs.
+  // Last, when every mount point exists: / with /dev, /etc, /proc and /run is one tmpfs.
   compose.add({"--remount-ro", "/"});
   return view;
 }

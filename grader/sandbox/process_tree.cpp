@@ -1,6 +1,6 @@
 #include "process_tree.hpp"
 
-#include <cctype>
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 #include <dirent.h>
@@ -16,6 +16,10 @@ namespace {
 /// free.
 constexpr std::uint64_t kInodeBytes = 1024;
 
+/// So often is a tree walked that changes meanwhile.
+constexpr int kPasses = 3;
+
+/// A file of /proc, as far as it fits: of the children of one thread more than limits allow.
 std::string readAt(int folder, const std::string& path) {
   const Descriptor file(openat(folder, path.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file) return {};
@@ -56,15 +60,16 @@ double processorSeconds(std::string_view stat) {
 }
 
 /// Adds one process. `sharedToo`: count shared memory; inside a namespace that is only files of a
-/// tmpfs, which are counted there, and what the supervisor passed in.
-void addProcess(Usage& usage, int proc, const std::string& pid, bool sharedToo) {
+/// tmpfs, which are counted there, and what the supervisor passed in. False when it is gone.
+bool addProcess(Usage& usage, int proc, const std::string& pid, bool sharedToo) {
   const std::string status = readAt(proc, pid + "/status");
-  if (status.empty()) return;
+  if (status.empty()) return false;
   ++usage.processes;
   for (const char* key : {"\nRssAnon:", "\nVmSwap:", "\nVmPTE:", "\nHugetlbPages:"})
     usage.memoryBytes += kilobytes(status, key);
   if (sharedToo) usage.memoryBytes += kilobytes(status, "\nRssShmem:");
   usage.cpuSeconds += processorSeconds(readAt(proc, pid + "/stat"));
+  return true;
 }
 
 struct CloseFolder {
@@ -75,22 +80,18 @@ struct CloseFolder {
 
 bool ProcessTree::openNamespace(pid_t pid, const std::vector<std::string>& writableFolders) {
   const std::string root = "/proc/" + std::to_string(pid) + "/root";
+  root_ = 0;
   folders_.clear();
   for (const std::string& folder : writableFolders) {
     folders_.emplace_back(open((root + folder).c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     if (!folders_.back()) return false;
   }
-  proc_ = Descriptor(open((root + "/proc").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  return static_cast<bool>(proc_);
+  root_ = pid;
+  inNamespace_ = true;
+  return true;
 }
 
-void ProcessTree::addNamespace(Usage& usage) const {
-  const std::unique_ptr<DIR, CloseFolder> listing(
-      fdopendir(openat(proc_.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
-  if (!listing) return;
-  while (const dirent* entry = readdir(listing.get()))
-    if (std::isdigit(static_cast<unsigned char>(entry->d_name[0])))
-      addProcess(usage, proc_.get(), entry->d_name, false);
+void ProcessTree::addFolders(Usage& usage) const {
   for (const Descriptor& folder : folders_) {
     struct statfs status {};
     if (fstatfs(folder.get(), &status) != 0) continue;
@@ -100,13 +101,17 @@ void ProcessTree::addNamespace(Usage& usage) const {
   }
 }
 
-void ProcessTree::addDescendants(Usage& usage) const {
+bool ProcessTree::addProcesses(Usage& usage) const {
   const Descriptor proc(open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  bool all = true;
   std::vector<std::string> waiting{std::to_string(root_)};
   while (!waiting.empty()) {
     const std::string pid = waiting.back();
     waiting.pop_back();
-    addProcess(usage, proc.get(), pid, true);
+    if (!addProcess(usage, proc.get(), pid, !inNamespace_)) {
+      all = false;
+      continue;
+    }
     const std::unique_ptr<DIR, CloseFolder> threads(
         fdopendir(openat(proc.get(), (pid + "/task").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
     while (const dirent* thread = threads ? readdir(threads.get()) : nullptr) {
@@ -117,13 +122,23 @@ void ProcessTree::addDescendants(Usage& usage) const {
         waiting.push_back(children.substr(at, space - at));
     }
   }
+  return all;
 }
 
 Usage ProcessTree::measure() const {
-  Usage usage;
-  if (proc_) addNamespace(usage);
-  if (root_ > 0) addDescendants(usage);
-  return usage;
+  Usage most;
+  if (root_ <= 0) return most;
+  // A process that ends hands its children to init, whose own were perhaps listed before.
+  for (int pass = 0; pass < kPasses; ++pass) {
+    Usage usage;
+    const bool all = addProcesses(usage);
+    most.memoryBytes = std::max(most.memoryBytes, usage.memoryBytes);
+    most.cpuSeconds = std::max(most.cpuSeconds, usage.cpuSeconds);
+    most.processes = std::max(most.processes, usage.processes);
+    if (all) break;
+  }
+  addFolders(most);
+  return most;
 }
 
 } // namespace ggrade::sandbox

@@ -17,12 +17,12 @@ struct Usage {
   int processes = 0;
 };
 
-/// Measures a run from outside.
+/// Measures a run from outside, through the host's /proc: inside a namespace there is none.
 class ProcessTree {
 public:
-  /// Counts every member of the PID namespace whose init has `pid` here, however it was started,
-  /// and the contents of `writableFolders`, each a tmpfs inside. False when the namespace is gone
-  /// already.
+  /// Counts the init of a PID namespace, which has `pid` here, with all its descendants, which are
+  /// the namespace's members, since orphans become its children, and the contents of
+  /// `writableFolders`, each a tmpfs inside. False when the namespace is gone already.
   bool openNamespace(pid_t pid, const std::vector<std::string>& writableFolders);
   /// Counts `pid` and its descendants, for runs without a namespace.
   void openDescendants(pid_t pid) { root_ = pid; }
@@ -31,12 +31,13 @@ public:
   Usage measure() const;
 
 private:
-  void addNamespace(Usage& usage) const;
-  void addDescendants(Usage& usage) const;
+  /// False when some process ended meanwhile.
+  bool addProcesses(Usage& usage) const;
+  void addFolders(Usage& usage) const;
 
-  Descriptor proc_; ///< the namespace's own /proc: lists its members and nothing else
   std::vector<Descriptor> folders_;
   pid_t root_ = 0;
+  bool inNamespace_ = false;
 };
 
 } // namespace ggrade::sandbox

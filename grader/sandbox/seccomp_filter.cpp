@@ -20,13 +20,13 @@ constexpr const char* kAllowed[] = {
     // files; fcntl and pread with flags have rules of their own
     "read", "write", "readv", "writev", "pread64", "pwrite64", "preadv", "pwritev", "open",
     "openat", "openat2", "creat", "close", "close_range", "stat", "fstat", "lstat", "newfstatat",
-    "statx", "statfs", "fstatfs", "access", "faccessat", "faccessat2", "lseek", "dup", "dup2",
-    "dup3", "pipe", "pipe2", "rename", "renameat", "renameat2", "mkdir", "mkdirat", "rmdir",
-    "unlink", "unlinkat", "link", "linkat", "symlink", "symlinkat", "readlink", "readlinkat",
-    "chmod", "fchmod", "fchmodat", "chown", "fchown", "lchown", "fchownat", "umask", "truncate",
-    "ftruncate", "fallocate", "fsync", "fdatasync", "getdents", "getdents64", "getcwd", "chdir",
-    "fchdir", "utime", "utimes", "utimensat", "futimesat", "copy_file_range", "sendfile", "mknod",
-    "mknodat", "getxattr", "lgetxattr", "fgetxattr", "listxattr", "llistxattr", "flistxattr",
+    "statx", "access", "faccessat", "faccessat2", "lseek", "dup", "dup2", "dup3", "pipe", "pipe2",
+    "rename", "renameat", "renameat2", "mkdir", "mkdirat", "rmdir", "unlink", "unlinkat", "link",
+    "linkat", "symlink", "symlinkat", "readlink", "readlinkat", "chmod", "fchmod", "fchmodat",
+    "chown", "fchown", "lchown", "fchownat", "umask", "truncate", "ftruncate", "fallocate", "fsync",
+    "fdatasync", "getdents", "getdents64", "getcwd", "chdir", "fchdir", "utime", "utimes",
+    "utimensat", "futimesat", "copy_file_range", "sendfile", "mknod", "mknodat", "getxattr",
+    "lgetxattr", "fgetxattr", "listxattr", "llistxattr", "flistxattr",
     // waiting
     "select", "pselect6", "poll", "ppoll", "epoll_create", "epoll_create1", "epoll_ctl",
     "epoll_wait", "epoll_pwait", "epoll_pwait2", "eventfd", "eventfd2", "signalfd", "signalfd4",
@@ -50,7 +50,7 @@ constexpr const char* kAllowed[] = {
     "timer_getoverrun", "timer_delete",
     // who and where am I
     "getuid", "geteuid", "getgid", "getegid", "getresuid", "getresgid", "getgroups", "uname",
-    "sysinfo", "getrandom"};
+    "getrandom"};
 
 /// Commands of fcntl that concern the program's own descriptors alone.
 constexpr int kDescriptorCommands[] = {F_DUPFD, F_DUPFD_CLOEXEC, F_GETFD,      F_SETFD,
@@ -75,6 +75,8 @@ constexpr const char* kRefused[] = {
     // watches them, and which of their pages are in memory
     "inotify_init", "inotify_init1", "inotify_add_watch", "inotify_rm_watch", "mincore",
     "sync_file_range", "cachestat",
+    // the host's load, memory and free space
+    "sysinfo", "statfs", "fstatfs", "ustat",
     // other processes
     "ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "kcmp", "pidfd_getfd",
     "perf_event_open",

@@ -21,7 +21,7 @@ TEST_P(SandboxEnds, IsAvailable) {
   if (delegated()) return;
   const SelfTest test = selfTest();
   EXPECT_EQ(test.problem, std::nullopt);
-  EXPECT_EQ(test.refused.size(), 15U);
+  EXPECT_EQ(test.refused.size(), 16U);
   EXPECT_THAT(test.refused, testing::Contains("opening a socket"));
 }
 

@@ -36,9 +36,21 @@ TEST_P(SandboxFiles, SeesOnlyItsOwnEnvironment) {
   unsetenv("GGRADE_SECRET_VARIABLE");
   EXPECT_THAT(result.standardOutput, Not(HasSubstr("SECRET"))) << describe(result);
   // Neither bwrap's arguments nor a path of the host.
-  EXPECT_THAT(
-      result.standardOutput,
-      testing::MatchesRegex("cmdline /run/ggrade-helper inside [0-9]+ \nvariable GIVEN=value\n"));
+  EXPECT_EQ(result.standardOutput, "\nvariable GIVEN=value\n");
+}
+
+TEST_P(SandboxFiles, OfProcThereIsItsOwnProgramAlone) {
+  if (delegated()) return;
+  Command command;
+  command.arguments = {"/usr/bin/find", "/proc", "-printf", "%p %l\n"};
+  const Result result = run(command);
+  EXPECT_EQ(result.standardOutput, "/proc \n/proc/self \n/proc/self/exe /usr/bin/find\n")
+      << describe(result);
+}
+
+TEST_P(SandboxFiles, CannotReadTheHostsFigures) {
+  if (delegated()) return;
+  expectRefused("figures", {"/", "/usr", "/usr/bin", "/attack", "/dev/null"});
 }
 
 TEST_P(SandboxFiles, CannotReadTheHost) {
@@ -65,6 +77,14 @@ TEST_P(SandboxFiles, CannotReadTheHost) {
                              GGRADE_SOURCE_DIR "/solutions",
                              "/attack/data/../../secret",
                              "/run/user",
+                             "/proc/self/mountinfo",
+                             "/proc/self/maps",
+                             "/proc/loadavg",
+                             "/proc/cmdline",
+                             "/proc/meminfo",
+                             "/proc/stat",
+                             "/proc/pressure/cpu",
+                             "/dev/fd",
                              "/newroot",
                              "/oldroot"});
 }

@@ -1,7 +1,6 @@
 #include "helper.hpp"
 
 #include <cstdio>
-#include <dirent.h>
 #include <fcntl.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -9,6 +8,7 @@
 #include <sys/ptrace.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/sysinfo.h>
 #include <unistd.h>
 
 namespace ggrade::sandbox::helper {
@@ -16,17 +16,6 @@ namespace {
 
 bool opens(const char* path, int flags) {
   return open(path, flags | O_CLOEXEC, 0600) >= 0;
-}
-
-/// The host has many processes, this namespace bwrap, the helper and who asks.
-bool seesMoreThanItsOwnProcesses() {
-  DIR* const folder = opendir("/proc");
-  if (!folder) return false;
-  int processes = 0;
-  while (const dirent* entry = readdir(folder))
-    processes += entry->d_name[0] >= '1' && entry->d_name[0] <= '9';
-  closedir(folder);
-  return processes > 4;
 }
 
 bool raisesItsLimits() {
@@ -52,7 +41,9 @@ int probe() {
   tried("reading /etc/shadow", opens("/etc/shadow", O_RDONLY));
   tried("reading the home folders", opens("/root", O_RDONLY) || opens("/home", O_RDONLY));
   tried("reading /proc/1/environ", opens("/proc/1/environ", O_RDONLY));
-  tried("seeing the host's processes", seesMoreThanItsOwnProcesses());
+  tried("reading the host's mounts", opens("/proc/self/mountinfo", O_RDONLY));
+  struct sysinfo figures {};
+  tried("reading the host's load and memory", sysinfo(&figures) == 0);
   tried("tracing a process", ptrace(PTRACE_ATTACH, 1, nullptr, nullptr) == 0);
   tried("making a user namespace", unshare(CLONE_NEWUSER) == 0);
   tried("opening a socket", socket(AF_INET, SOCK_STREAM, 0) >= 0);

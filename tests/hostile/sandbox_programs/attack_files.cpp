@@ -9,7 +9,9 @@
 #include <sys/stat.h>
 #include <sys/statvfs.h>
 #include <sys/syscall.h>
+#include <sys/sysinfo.h>
 #include <sys/sysmacros.h>
+#include <sys/vfs.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -87,6 +89,22 @@ int readHostAttack(const Arguments& paths) {
   Attempts attempts;
   for (const std::string& path : paths) attempts.add("open " + path, canOpen(path, O_RDONLY));
   attempts.add("open ..", canOpen("/..", O_RDONLY) && canOpen("/../root", O_RDONLY));
+  return attempts.outcome();
+}
+
+/// The host's load, memory and free space.
+int figuresAttack(const Arguments& places) {
+  Attempts attempts;
+  struct sysinfo all {};
+  attempts.add("sysinfo", sysinfo(&all) == 0);
+  double load = 0;
+  attempts.add("getloadavg", getloadavg(&load, 1) > 0);
+  for (const std::string& place : places) {
+    struct statfs status {};
+    attempts.add("statfs " + place, statfs(place.c_str(), &status) == 0);
+    const int file = open(place.c_str(), O_RDONLY | O_CLOEXEC);
+    attempts.add("fstatfs " + place, fstatfs(file, &status) == 0);
+  }
   return attempts.outcome();
 }
 
@@ -203,6 +221,7 @@ void addFileAttacks(Attacks& attacks) {
                   {"reveal", revealAttack},
                   {"readHost", readHostAttack},
                   {"writeOutside", writeOutsideAttack},
+                  {"figures", figuresAttack},
                   {"listDescriptors", listDescriptorsAttack},
                   {"writeDescriptors", writeDescriptorsAttack},
                   {"writeInherited", writeInheritedAttack},
