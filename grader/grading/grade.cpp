@@ -18,6 +18,7 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <tuple>
 
 namespace ggrade::grading {
 
@@ -165,8 +166,10 @@ std::vector<results::Item> unearned(const Target& target, const std::string& why
   return items;
 }
 
-/// The outcome of all scenes together, and the first remark or fault in words.
-void nameOutcome(const std::vector<GradedScene>& scenes, results::Result& result) {
+/// The outcome of all scenes together, the first remark or fault in words, and what drew them: by
+/// the reference, since a submission can say anything.
+void nameOutcome(const std::vector<GradedScene>& scenes, const References& references,
+                 results::Result& result) {
   result.outcome = Outcome::graded;
   for (const GradedScene& scene : scenes) {
     const Happened& happened = scene.rendering.happened;
@@ -184,7 +187,13 @@ void nameOutcome(const std::vector<GradedScene>& scenes, results::Result& result
   if (result.outcome == Outcome::graded)
     if (const auto seen = remarks(first); !seen.empty())
       result.detail = scenes[0].name + ", " + seen[0];
-  result.fingerprint = fingerprint(first);
+  const channel::Capture own = references.renderer();
+  result.fingerprint = fingerprint(own);
+  for (const auto& [what, claim, known] :
+       {std::tuple{"gl_version", first.glVersion, own.glVersion},
+        std::tuple{"gl_renderer", first.glRenderer, own.glRenderer}})
+    if (!claim.empty() && claim != known)
+      result.fingerprint.emplace_back(std::string("the program's claim: ") + what, claim);
 }
 
 /// Says so where two runs of the first scene differ.
@@ -377,7 +386,7 @@ Graded Grader::draw(const Built& built, std::size_t count) {
   for (const GradedScene& scene : scenes)
     rubric::writeFrames(scene.student, rawFrames(scene.rendering.capture));
   time.reset();
-  nameOutcome(scenes, graded.result);
+  nameOutcome(scenes, known, graded.result);
   if (!scenes.empty())
     graded.facts = factsOf(scenes[0].rendering.capture, trace::load(scenes[0].student));
   return graded;

@@ -2,6 +2,7 @@
 
 #include "grading/judge.hpp"
 #include "report/picture.hpp"
+#include "report/write_file.hpp"
 
 #include <fmt/format.h>
 
@@ -78,7 +79,19 @@ void warmShaders(const Target& target, Own& own, const ScenePlan& plan) {
   if (list.flush()) keep(work.path() / "scenes", folder.string() + ".scenes");
 }
 
+/// In a folder of frames: what they were drawn with.
+const char* const kRenderer = "renderer.json";
+
 } // namespace
+
+channel::Capture References::renderer() const {
+  channel::Capture capture;
+  if (scenes.empty()) return capture;
+  const json kept = readJson(scenes.front().reference / kRenderer);
+  capture.glVersion = kept.at("version").get<std::string>();
+  capture.glRenderer = kept.at("renderer").get<std::string>();
+  return capture;
+}
 
 std::string referenceKey(const Target& target, const fs::path& solutionFolder) {
   return programKey(target.assignment, solutionFolder) +
@@ -121,8 +134,8 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   References all;
   for (const SceneCase& scene : plan.scenes) {
     const auto add = [&](Own& own, const json& content, const trace::Request& trace) {
-      const std::string name =
-          hashOf(own.program.key() + content.dump() + json(scene.times).dump() + identity(trace));
+      const std::string name = hashOf(own.program.key() + content.dump() +
+                                      json(scene.times).dump() + identity(trace) + kRenderer);
       fs::path folder = cache / "frames" / name;
       if (!elsewhere.empty() && !fs::exists(folder / "frames.json")) folder = elsewhere / name;
       jobs.push_back({&own, &content, &scene.times, folder, trace});
@@ -162,6 +175,9 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
     TemporaryFolder work(job.folder.parent_path());
     if (job.trace.passes) trace::save(rendering.capture.trace, work.path());
     rubric::writeFrames(work.path(), rawFrames(rendering.capture));
+    report::writeFile(work.path() / kRenderer, json{{"version", rendering.capture.glVersion},
+                                                    {"renderer", rendering.capture.glRenderer}}
+                                                   .dump());
     keep(work.path(), job.folder);
     progress("rendering the reference", ++done, jobs.size() + 1);
   });

@@ -5,22 +5,32 @@
 #include "attack.hpp"
 #include "channel.hpp"
 
-#include <cinttypes>
 #include <cstdlib>
+
+#include <sys/mman.h>
+#include <sys/stat.h>
 
 namespace attack {
 
-/// Null before the capture library has mapped it.
+inline void* mapped = MAP_FAILED;
+
+/// Before any library's constructor runs, the descriptor is still open, and the C library does not
+/// know its environment yet.
+inline void mapChannel(int, char**, char** environment) {
+  int file = -1;
+  for (; *environment; ++environment) std::sscanf(*environment, "GG_CAPTURE_FD=%d", &file);
+  struct stat status {};
+  if (fstat(file, &status) == 0)
+    mapped =
+        mmap(nullptr, std::size_t(status.st_size), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+}
+[[gnu::section(".preinit_array"), gnu::used]] static void (*const mapHook)(int, char**,
+                                                                           char**) = mapChannel;
+
 inline ggrade::channel::Header* channel() {
-  std::FILE* const maps = std::fopen("/proc/self/maps", "r");
-  char line[512];
-  std::uintptr_t address = 0;
-  while (maps && std::fgets(line, sizeof line, maps))
-    if (std::strstr(line, "ggrade-capture")) std::sscanf(line, "%" SCNxPTR, &address);
-  if (maps) std::fclose(maps);
-  note(address ? "found the channel" : "found no channel");
-  if (!address) _exit(1);
-  return reinterpret_cast<ggrade::channel::Header*>(address);
+  note(mapped != MAP_FAILED ? "found the channel" : "found no channel");
+  if (mapped == MAP_FAILED) _exit(1);
+  return static_cast<ggrade::channel::Header*>(mapped);
 }
 
 inline ggrade::trace::Tables& tables(ggrade::channel::Header* header) {

@@ -7,6 +7,7 @@
 //   proof     what shows that it failed
 //   message   (optional) a regular expression for the result's detail
 //   tried     (optional) regular expressions for lines of the instructor's page: it was tried
+//   fingerprint  (optional) regular expressions for what the result says that it was drawn with
 //   student_lacks  (optional) texts that are none of the student's business
 //   payloads  (optional) texts that no page may hold as they are
 //   base      (optional) "stub": the handed-out files instead of the solution's
@@ -262,6 +263,11 @@ void expectOutcome(const json& attack, const json& results) {
       << extra.at("outcome") << " is not " << wanted;
   const std::string detail = replaceAll(extra.at("detail"), "\n", " ").substr(0, 4000);
   EXPECT_TRUE(std::regex_search(detail, std::regex(attack.value("message", "")))) << detail;
+  const json drawnWith = attack.value("fingerprint", json::object());
+  for (const auto& [key, text] : drawnWith.items())
+    EXPECT_TRUE(std::regex_search(extra.at("fingerprint").value(key, ""),
+                                  std::regex(text.get<std::string>())))
+        << key << ": " << extra.at("fingerprint");
   if (attack.at("score").is_number()) {
     EXPECT_LE(results.at("score").get<double>(), attack.at("score").get<double>());
     return;
