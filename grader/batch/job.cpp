@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
 
 #include <sys/stat.h>
 
@@ -104,6 +105,25 @@ Reply replyFrom(const json& line) {
   line.at("max_score").get_to(reply.maxScore);
   line.at("seconds").get_to(reply.seconds);
   return reply;
+}
+
+namespace {
+const std::map<std::string, grading::Runs> kRuns = {{"none", grading::Runs::none},
+                                                    {"told", grading::Runs::told},
+                                                    {"hidden", grading::Runs::hidden}};
+}
+
+json toJson(grading::Runs kind) {
+  const auto named =
+      std::ranges::find_if(kRuns, [&](const auto& one) { return one.second == kind; });
+  return {{"runs", named->first}};
+}
+
+grading::Runs runsFrom(const json& line) {
+  const auto known = kRuns.find(line.at("runs").get<std::string>());
+  if (known == kRuns.end())
+    throw json::other_error::create(501, "no kind of runs: " + line.dump(), &line);
+  return known->second;
 }
 
 std::string keyOf(const intake::Upload& upload) {

@@ -2,6 +2,7 @@
 /// \file
 /// One upload on its way to a result, as a batch hands it to a worker.
 
+#include "grading/grade.hpp"
 #include "grading/scenes.hpp"
 #include "intake/find_uploads.hpp"
 
@@ -28,6 +29,12 @@ struct Reply {
 nlohmann::json toJson(const Reply& reply);
 /// Throws nlohmann::json::exception.
 Reply replyFrom(const nlohmann::json& line);
+
+/// What a worker says before runs of a kind, and when they are over: {"runs": "hidden"}. The answer
+/// to all but `none` is a line that says that it may go on.
+nlohmann::json toJson(grading::Runs kind);
+/// Throws nlohmann::json::exception.
+grading::Runs runsFrom(const nlohmann::json& line);
 
 /// A hash of everything that an upload holds, read as far as an upload is ever read.
 std::string keyOf(const intake::Upload& upload);

@@ -1,5 +1,6 @@
 #include "batch/pool.hpp"
 
+#include "batch/turns.hpp"
 #include "grading/workspace.hpp"
 #include "sandbox/descriptor.hpp"
 
@@ -43,7 +44,8 @@ struct Process {
   std::string received;
   std::optional<std::size_t> job;
   Clock::time_point since;
-  bool isReady = false; ///< it has said so, its first line
+  std::optional<Clock::time_point> waitsSince; ///< for its turn
+  bool isReady = false;                        ///< it has said so, its first line
 };
 
 /// Starts a worker; its standard error is ours.
@@ -92,6 +94,7 @@ public:
         processes_.push_back(start(options_));
       for (Process& process : processes_)
         if (process.isReady && !process.job && !waiting_.empty()) give(process);
+      takeTurns();
       if (open() == 0) return;
       listen();
       endTheStuck();
@@ -111,8 +114,12 @@ private:
     waiting_.pop_front();
     process.job = job;
     process.since = Clock::now();
-    const std::string line = toJson(jobs_[job]).dump() + '\n';
-    // A worker that is gone shows as the end of its answers.
+    tell(process, toJson(jobs_[job]).dump());
+  }
+
+  /// A worker that is gone shows as the end of its answers.
+  void tell(Process& process, const std::string& text) {
+    const std::string line = text + '\n';
     for (std::size_t done = 0; done < line.size();) {
       const ssize_t count = write(process.to.get(), line.data() + done, line.size() - done);
       if (count < 0 && errno == EINTR && !grading::interrupted) continue;
@@ -136,24 +143,42 @@ private:
         continue;
       }
       process.received.append(block, std::size_t(count));
-      const std::size_t end = process.received.find('\n');
-      if (end == std::string::npos) continue;
-      // One reply a job, and the next job comes after it: there is never more than a line.
-      const std::string line = process.received.substr(0, end);
-      process.received.clear();
-      if (!std::exchange(process.isReady, true)) continue;
       try {
-        finish(process, replyFrom(json::parse(line)));
+        for (std::size_t end; (end = process.received.find('\n')) != std::string::npos;) {
+          const std::string line = process.received.substr(0, end);
+          process.received.erase(0, end + 1);
+          if (std::exchange(process.isReady, true)) hear(process, json::parse(line));
+        }
       } catch (const json::exception&) {
         bury(i, "a worker gave an answer that makes no sense");
       }
     }
   }
 
+  /// Before a job's reply come its wishes for runs.
+  void hear(Process& process, const json& line) {
+    if (!line.contains("runs")) return finish(process, replyFrom(line));
+    const grading::Runs kind = runsFrom(line);
+    turns_.ask(process.pid, kind);
+    if (kind != grading::Runs::none) process.waitsSince = Clock::now();
+  }
+
+  void takeTurns() {
+    for (const int pid : turns_.grant())
+      for (Process& process : processes_)
+        if (process.pid == pid) {
+          process.since += Clock::now() - *process.waitsSince; // no time of its own
+          process.waitsSince.reset();
+          tell(process, "go");
+        }
+  }
+
   void finish(Process& process, const Reply& reply) {
     if (!process.job) return;
     const std::size_t job = *process.job;
     process.job.reset();
+    process.waitsSince.reset();
+    turns_.ask(process.pid, grading::Runs::none);
     const bool ours = !reply.problem.empty() || reply.outcome == "not_gradable";
     if (ours && ++attempts_[job] < kAttempts)
       waiting_.push_front(job);
@@ -163,7 +188,7 @@ private:
 
   void endTheStuck() {
     for (std::size_t i = processes_.size(); i-- > 0;)
-      if (processes_[i].job &&
+      if (processes_[i].job && !processes_[i].waitsSince &&
           Clock::now() - processes_[i].since > std::chrono::duration<double>(options_.seconds))
         bury(i, fmt::format("the grader itself was stuck for {:.0f} s", options_.seconds));
   }
@@ -173,6 +198,7 @@ private:
     Process process = std::move(processes_[index]);
     processes_.erase(processes_.begin() + std::ptrdiff_t(index));
     process.to.close();
+    turns_.ask(process.pid, grading::Runs::none);
     if (!why.empty()) kill(process.pid, SIGKILL);
     int status = 0;
     while (waitpid(process.pid, &status, 0) < 0 && errno == EINTR) {
@@ -210,6 +236,7 @@ private:
   std::vector<int> attempts_; ///< that failed, by job
   std::deque<std::size_t> waiting_;
   std::vector<Process> processes_;
+  Turns turns_; ///< by PID
 };
 
 } // namespace

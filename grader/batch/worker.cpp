@@ -53,6 +53,11 @@ private:
     how.diagnosis = options_.diagnosis;
     how.many = true;
     how.threads = 1; // a worker keeps to its own core
+    how.begins = [](grading::Runs kind) {
+      std::cout << batch::toJson(kind).dump() << std::endl;
+      std::string go;
+      if (kind != grading::Runs::none && !std::getline(std::cin, go)) throw grading::Interrupted{};
+    };
     return how;
   }
 

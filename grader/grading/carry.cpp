@@ -44,9 +44,9 @@ bool samePasses(const trace::Trace& first, const trace::Trace& again) {
 class Carrying {
 public:
   Carrying(const Target& target, Judge& judge, Graded& graded, unsigned threads,
-           std::string& problem)
+           const std::function<void()>& begins, std::string& problem)
       : judge_(judge), graded_(graded), items_(graded.result.items), threads_(threads),
-        problem_(problem), pixels_(graded.scenes.size()) {
+        begins_(begins), problem_(problem), pixels_(graded.scenes.size()) {
     for (const ItemDeclaration& declared : target.items()) declared_[declared.id] = declared;
   }
 
@@ -58,7 +58,7 @@ public:
       for (const results::PassOutputs& outputs : next->outputs)
         if (replaceIn(outputs)) scenes.insert(outputs.scene);
       if (scenes.empty()) continue;
-      ++runs;
+      if (runs++ == 0) begins_();
       judgeAgain(scenes);
       if (!problem_.empty()) break;
     }
@@ -194,6 +194,7 @@ private:
   Graded& graded_;
   std::vector<results::Item>& items_;
   unsigned threads_;
+  const std::function<void()>& begins_;
   std::string& problem_;
   std::map<std::string, ItemDeclaration> declared_;
   std::vector<std::string> replaced_;                    ///< items, in the order of the runs
@@ -203,8 +204,8 @@ private:
 } // namespace
 
 int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned threads,
-                 std::string& problem) {
-  return Carrying(target, judge, graded, threads, problem).run();
+                 const std::function<void()>& begins, std::string& problem) {
+  return Carrying(target, judge, graded, threads, begins, problem).run();
 }
 
 } // namespace ggrade::grading

@@ -14,9 +14,10 @@ namespace ggrade::grading {
 /// Each item keeps the better of all runs, scene by scene, and then says what was replaced for it.
 /// What a second run writes to its output goes nowhere; one whose passes are others than in the
 /// first run counts for nothing. Returns how many runs there were (of all scenes at once); 0 for a
-/// submission whose passes are right. `threads` scenes are rendered at a time. `problem` says why
-/// the judge could not go on. Throws Interrupted.
+/// submission whose passes are right. `threads` scenes are rendered at a time. `begins` is called
+/// before the first of them, if there is one. `problem` says why the judge could not go on. Throws
+/// Interrupted.
 int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned threads,
-                 std::string& problem);
+                 const std::function<void()>& begins, std::string& problem);
 
 } // namespace ggrade::grading

@@ -264,6 +264,7 @@ void Grader::prepare() {
 }
 
 results::Result Grader::gradeUpload(const intake::Upload& upload) {
+  options_.begins(Runs::told);
   TemporaryFolder work;
   const fs::path folder = work.path() / "upload";
   const intake::Unpacked unpacked =
@@ -277,6 +278,7 @@ results::Result Grader::gradeUpload(const intake::Upload& upload) {
   } catch (const NothingToGrade& error) {
     result = ungraded(target_, plan_, Outcome::buildFailed, error.what());
   }
+  options_.begins(Runs::none);
   for (const auto* list : {&unpacked.refused, &unpacked.remarks})
     result.unusedFiles.insert(result.unusedFiles.end(), list->begin(), list->end());
   return result;
@@ -306,6 +308,7 @@ Built Grader::build(const std::shared_ptr<Program>& program, bool trusted) {
   for (const std::string& name : taken.missing)
     result.unusedFiles.push_back(say("{}: not in the upload; the handed-out file stands in", name));
   options_.progress("building", 0, 1);
+  options_.begins(Runs::told);
   Happened happened;
   {
     const Stopwatch time(result, "build");
@@ -370,7 +373,9 @@ Graded Grader::draw(const Built& built, std::size_t count) {
         !drawsTheReference(scenes[0]))
       graded.again = run(0, {});
   }
+  if (first < scenes.size()) options_.begins(Runs::hidden);
   inParallel(scenes.size() - first, options_.threads, [&](std::size_t i) { render(first + i); });
+  options_.begins(Runs::none);
   // One scene that hangs is enough to wait for. What comes after the first counts as not run,
   // whether somebody was fast enough or not: so a result doesn't depend on how many go at a time.
   if (firstHung < scenes.size()) graded.again.reset();
@@ -414,8 +419,11 @@ void Grader::judge(Graded& graded) {
     int runs = 0;
     {
       const Stopwatch time(result, "carry forward");
-      runs = carryForward(target_, theJudge(), graded, options_.threads, problem);
+      runs = carryForward(
+          target_, theJudge(), graded, options_.threads, [&] { options_.begins(Runs::hidden); },
+          problem);
     }
+    options_.begins(Runs::none);
     if (runs == 0) result.timings.pop_back();
   }
   if (!problem.empty()) {

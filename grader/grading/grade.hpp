@@ -40,6 +40,10 @@ struct Graded {
   std::vector<std::filesystem::path> students() const;
 };
 
+/// Runs by what they may tell whom, see docs/security.md: of those that are told, output and
+/// pictures reach the student; hidden ones see hidden scenes.
+enum class Runs { none, told, hidden };
+
 struct GraderOptions {
   std::vector<std::string> judgeArguments = {}; ///< GoogleTest's
   bool pictures = true; ///< false for who wants scores only: the result has items but no scenes
@@ -50,7 +54,10 @@ struct GraderOptions {
   /// Of the mistakes in the catalogue and the steps ("step.2") those that it looks for; nothing:
   /// all.
   std::optional<std::set<std::string>> suspects = {};
-  bool many = false;            ///< is more than one submission to come?
+  bool many = false; ///< is more than one submission to come?
+  /// Called before runs of a kind begin, and with `none` when they are over; may wait until no run
+  /// of the other kind goes on for another submission.
+  std::function<void(Runs)> begins = [](Runs) {};
   unsigned threads = workers(); ///< scenes rendered at a time; 1: nothing goes on beside another
   Progress progress = [](const std::string&, std::size_t, std::size_t) {};
 };

@@ -1,5 +1,6 @@
 #include "grading/program.hpp"
 
+#include "grading/libraries.hpp"
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
 #include "report/text.hpp"
@@ -202,9 +203,11 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
                                                    "-L",
                                                    (at.kit / "lib").string()};
   command.arguments.insert(command.arguments.end(), rest);
-  for (const char* library : {"gg", "gg_core", "gg_scene", "gg_words", "gg_glad", "glfw",
-                              "tinyobjloader", "png16", "fmt"})
+  for (const char* library : {"gg", "gg_core", "gg_scene", "gg_words", "gg_glad"})
     command.arguments.push_back(std::string("-l") + library);
+  std::istringstream libraries(toolchain::kLibraries);
+  for (std::string library; std::getline(libraries, library, ';');)
+    command.arguments.push_back("-l" + library);
   command.environment = {
       {"PATH", "/usr/bin:/bin"},
       {"LC_ALL", "C.UTF-8"},
@@ -291,8 +294,11 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
         command.environment.end(),
         {{"MESA_SHADER_CACHE_DIR", at.shaders.string()}, {"MESA_DISK_CACHE_SINGLE_FILE", "true"}});
   if (isolation == Isolation::bwrap) {
-    command.mounts = {
-        {folder, "/submission"}, {toolchain::kCaptureFolder, "/capture"}, {sceneFolder, "/scene"}};
+    // File by file: what one run asks for in a folder that others see as well, they could notice.
+    command.systemFiles = programLibraries();
+    command.mounts = {{folder, "/submission"}, {sceneFolder, "/scene"}};
+    for (const fs::directory_entry& entry : fs::directory_iterator(toolchain::kCaptureFolder))
+      command.mounts.push_back({entry.path(), at.capture / entry.path().filename()});
     if (!shaders.folder.empty()) command.privateCopies = {{shaders.folder, at.shaders}};
   }
   command.workingDirectory = isolation == Isolation::bwrap ? fs::path("/scratch") : sceneFolder;

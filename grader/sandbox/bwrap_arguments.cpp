@@ -66,12 +66,15 @@ View composeView(const Command& command, const fs::path& helper, bool staged, in
                "1000", "--cap-drop", "ALL", "--die-with-parent", "--new-session", "--as-pid-1",
                "--clearenv", "--hostname", "sandbox", "--seccomp", std::to_string(seccompFd),
                "--info-fd", std::to_string(infoFd)});
+  for (const fs::path& file : command.systemFiles) compose.bind("--ro-bind", file, file.string());
   for (const char* folder : kSystemFolders)
-    if (fs::exists(folder)) compose.bind("--ro-bind", folder, folder);
+    if (command.systemFiles.empty() && fs::exists(folder))
+      compose.bind("--ro-bind", folder, folder);
   for (const std::string link : kSystemLinks)
     if (fs::is_symlink("/" + link)) compose.add({"--symlink", "usr/" + link, "/" + link});
   for (const char* file : kSettings)
-    if (fs::exists(file)) compose.bind("--ro-bind", file, file);
+    if (fs::exists(file) && (command.systemFiles.empty() || fs::is_regular_file(file)))
+      compose.bind("--ro-bind", file, file);
 #ifdef __SANITIZE_ADDRESS__
   compose.add({"--proc", "/proc", "--remount-ro", "/proc"}); // sanitized programs look for it
 #else

@@ -55,14 +55,16 @@ struct Limits {
 
 /// What to run. The command starts with `environment` alone, standard input at its end, in
 /// `/scratch` (a private tmpfs) unless `workingDirectory` says otherwise. Besides `mounts` it sees,
-/// read-only, the parts of /usr that packages install (not /usr/local and /usr/src), the loader's
-/// cache in /etc, four harmless devices, and a /proc of its own; writable are /scratch, /tmp and
-/// the private copies. There is no /dev/shm, and shared anonymous memory, memfd_create and sockets
-/// are refused.
+/// read-only, the parts of /usr that packages install (not /usr/local and /usr/src) unless
+/// `systemFiles` says otherwise, the loader's cache in /etc, four harmless devices, and of /proc
+/// /proc/self/exe alone; writable are /scratch, /tmp and the private copies. There is no /dev/shm,
+/// and shared anonymous memory, memfd_create and sockets are refused.
 struct Command {
   std::vector<std::string> arguments; ///< arguments[0] is an absolute path inside
   std::vector<std::pair<std::string, std::string>> environment;
   std::vector<Mount> mounts;
+  /// Of the system only these files, absolute, each at its own place; empty: the folders above.
+  std::vector<std::filesystem::path> systemFiles;
   std::vector<Mount>
       privateCopies; ///< folders copied into a tmpfs of the run's own, writable, discarded
   std::filesystem::path workingDirectory = "/scratch";

@@ -5,5 +5,6 @@ if(TARGET ggrade_batch)
       ${CMAKE_CURRENT_LIST_DIR}/batch_pool_test.cpp
       ${CMAKE_CURRENT_LIST_DIR}/batch_record_test.cpp
       ${CMAKE_CURRENT_LIST_DIR}/batch_state_test.cpp
+      ${CMAKE_CURRENT_LIST_DIR}/batch_turns_test.cpp
     LIBRARIES ggrade_batch)
 endif()

@@ -67,6 +67,46 @@ TEST_F(BatchPool, AnswersEveryJobOnce) {
   }
 }
 
+/// Asks for runs of a kind, and waits for its turn.
+std::string turn(const std::string& kind) {
+  return "echo '{\"runs\":\"" + kind + "\"}'; read -r go; [ \"$go\" = go ] || exit 1\n";
+}
+
+TEST_F(BatchPool, RunsThatAreToldGoBesideNoHiddenOnes) {
+  // Each notes when its runs begin and end; at no time may both kinds be open.
+  const std::string log = mark("log");
+  const auto noted = [&](const std::string& kind) {
+    return turn(kind) + "echo begin " + kind + " >> " + log +
+           "\nsleep 0.0$((n % 3 + 1))\necho end " + kind + " >> " + log + '\n';
+  };
+  const auto answers =
+      run(noted("told") + noted("hidden") + "echo '{\"runs\":\"none\"}'\n" + kGood, 12, 4);
+  ASSERT_EQ(answers.size(), 12U);
+  for (const auto& [name, answer] : answers) EXPECT_EQ(answer.problem, "") << name;
+  std::map<std::string, int> open;
+  int together = 0;
+  std::ifstream in(log);
+  for (std::string what, kind; in >> what >> kind;) {
+    open[kind] += what == "begin" ? 1 : -1;
+    EXPECT_FALSE(open["told"] > 0 && open["hidden"] > 0);
+    together = std::max(together, open["hidden"]);
+  }
+  EXPECT_GT(together, 1) << "nothing goes side by side";
+}
+
+TEST_F(BatchPool, WhoDiesInItsTurnKeepsNobodyFromTheirs) {
+  const auto answers = run("if [ ! -e " + mark("died") + " ]; then touch " + mark("died") + '\n' +
+                               turn("hidden") + "kill -KILL $$; fi\n" + turn("told") + kGood,
+                           3, 2);
+  ASSERT_EQ(answers.size(), 3U);
+  for (const auto& [name, answer] : answers) EXPECT_EQ(answer.problem, "") << name;
+}
+
+TEST_F(BatchPool, NoSuchKindOfRunsIsNoSense) {
+  const auto answers = run("echo '{\"runs\":\"secret\"}'; read -r go", 1);
+  EXPECT_EQ(answers.at("student0").problem, "a worker gave an answer that makes no sense");
+}
+
 TEST_F(BatchPool, NoJobsNoWorkers) {
   EXPECT_TRUE(run("touch " + mark("started"), 0, 2, 60, "touch " + mark("started")).empty());
   EXPECT_FALSE(isMarked("started"));

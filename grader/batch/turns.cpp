@@ -1,0 +1,33 @@
+#include "batch/turns.hpp"
+
+#include <algorithm>
+
+namespace ggrade::batch {
+
+using grading::Runs;
+
+void Turns::ask(int who, Runs kind, Clock::time_point now) {
+  running_.erase(who);
+  waiting_.erase(who);
+  if (kind != Runs::none) waiting_[who] = {kind, now};
+}
+
+std::vector<int> Turns::grant(Clock::time_point now) {
+  std::vector<std::pair<int, Wish>> order(waiting_.begin(), waiting_.end());
+  std::ranges::sort(order, {}, [](const auto& one) { return one.second.since; });
+  if (running_.empty()) kind_ = order.empty() ? Runs::none : order.front().second.kind;
+  const bool othersWaitLong = std::ranges::any_of(order, [&](const auto& one) {
+    return one.second.kind != kind_ && now - one.second.since >= kPatience;
+  });
+  std::vector<int> granted;
+  if (!running_.empty() && othersWaitLong) return granted;
+  for (const auto& [who, wish] : order)
+    if (wish.kind == kind_) {
+      granted.push_back(who);
+      running_[who] = kind_;
+      waiting_.erase(who);
+    }
+  return granted;
+}
+
+} // namespace ggrade::batch
