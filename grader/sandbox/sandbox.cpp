@@ -200,7 +200,7 @@ Result runOrThrow(const Command& command, Isolation isolation, const std::atomic
   View view;
   Descriptor filter, arguments;
   if (inNamespace) {
-    filter = makeFile(seccompFilter());
+    filter = makeFile(seccompFilter(command.systemFiles.empty()));
     view = composeView(command, helper, worker.has_value(), filter.get(), info.write.get());
     std::string bytes;
     for (const std::string& argument : view.arguments) bytes.append(argument).push_back('\0');

@@ -63,7 +63,8 @@ struct Command {
   std::vector<std::string> arguments; ///< arguments[0] is an absolute path inside
   std::vector<std::pair<std::string, std::string>> environment;
   std::vector<Mount> mounts;
-  /// Of the system only these files, absolute, each at its own place; empty: the folders above.
+  /// Of the system only these files, absolute, each at its own place, and no pipes; empty: the
+  /// folders above, as compilers need them.
   std::vector<std::filesystem::path> systemFiles;
   std::vector<Mount>
       privateCopies; ///< folders copied into a tmpfs of the run's own, writable, discarded

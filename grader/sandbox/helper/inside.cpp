@@ -56,11 +56,16 @@ std::vector<char*> pointers(const std::vector<std::string>& strings) {
   return list;
 }
 
-/// In the child: becomes the command, or sends its errno, and which step failed, through `failure`.
-[[noreturn]] void becomeCommand(const HelperPlan& plan, int failure) {
+/// Why a child did not become the command: which step failed (-1: none), and its errno.
+struct Failure {
+  volatile int step = -1, error = 0;
+};
+
+/// In a child of vfork, whose memory is ours: becomes the command, or says why not.
+[[noreturn]] void becomeCommand(const HelperPlan& plan, Failure& failure) {
   const auto fail = [&](int step) {
-    const int message[2] = {errno, step};
-    (void)!write(failure, message, sizeof message);
+    failure.error = errno;
+    failure.step = step;
     _exit(127);
   };
   sigset_t none;
@@ -125,10 +130,9 @@ bool waitFor(pid_t command, int lifeline, int signals, int& status) {
 }
 
 /// Reports why `becomeCommand` failed; false when it did not.
-bool reportFailedStart(const HelperPlan& plan, int failure) {
-  int message[2] = {};
-  if (read(failure, message, sizeof message) != static_cast<ssize_t>(sizeof message)) return false;
-  const auto [error, step] = message;
+bool reportFailedStart(const HelperPlan& plan, const Failure& failure) {
+  const int step = failure.step, error = failure.error;
+  if (step < 0) return false;
   const std::string& program = plan.arguments[0];
   if (step == 0)
     report(plan, HelperReport::Kind::failed, "cannot enter " + plan.workingDirectory, error);
@@ -156,15 +160,14 @@ int runInside(const HelperPlan& plan) {
   sigaddset(&children, SIGCHLD);
   sigprocmask(SIG_BLOCK, &children, nullptr);
   const int signals = signalfd(-1, &children, SFD_CLOEXEC | SFD_NONBLOCK);
-  int failure[2];
-  if (signals < 0 || pipe2(failure, O_CLOEXEC) != 0)
-    return report(plan, Kind::failed, "cannot prepare the start", errno), 1;
+  if (signals < 0) return report(plan, Kind::failed, "cannot prepare the start", errno), 1;
   const double start = now();
-  const pid_t command = fork();
-  if (command == 0) becomeCommand(plan, failure[1]);
+  Failure failure;
+  // Goes on here once the child is the command, or has failed.
+  const pid_t command = vfork();
+  if (command == 0) becomeCommand(plan, failure);
   if (command < 0) return report(plan, Kind::failed, "cannot fork", errno), 1;
-  close(failure[1]);
-  if (reportFailedStart(plan, failure[0])) return 1;
+  if (reportFailedStart(plan, failure)) return 1;
   report(plan, Kind::started, "");
 
   int status = 0;
