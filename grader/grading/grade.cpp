@@ -268,6 +268,8 @@ results::Result Grader::gradeUpload(const intake::Upload& upload) {
   } catch (const NothingToGrade& error) {
     result = ungraded(target_, plan_, Outcome::buildFailed, error.what());
   }
+  result.refused = unpacked.refused;
+  if (!unpacked.problem.empty()) result.refused.push_back(unpacked.problem);
   for (const auto* list : {&unpacked.refused, &unpacked.remarks})
     result.unusedFiles.insert(result.unusedFiles.end(), list->begin(), list->end());
   return result;
