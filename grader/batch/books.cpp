@@ -22,8 +22,13 @@ gradebook::MachineScore machineScore(const ClassRow& row) {
   gradebook::MachineScore machine;
   machine.student = row.student;
   if (row.outcome != results::Outcome::notGradable) machine.score = row.score + row.bonus;
-  for (const report::ClassItem& item : row.items)
-    machine.items.push_back({item.id, item.earned, item.points});
+  machine.most = row.maxScore;
+  for (const report::ClassItem& item : row.items) {
+    const bool keep = item.kind == results::ItemKind::keep;
+    machine.items.push_back(
+        {item.id, item.earned, keep ? -item.points : 0, keep ? 0 : item.points});
+    if (item.kind == results::ItemKind::bonus) machine.most += item.points;
+  }
   return machine;
 }
 
