@@ -177,7 +177,7 @@ TEST(ClassPage, BeginsWithWhoNeedsAPersonAndWhy) {
                                "meant? 50 points are more than the 0 that mirror.keep can give "
                                "(kim); they count.</p>"));
   EXPECT_THAT(first, Not(HasSubstr("#row-2")));
-  EXPECT_THAT(first, HasSubstr("Of uploads that look alike leave one"));
+  EXPECT_THAT(first, HasSubstr("look alike leave one, remove the folders of all of them here"));
   const std::string table = section(page, "students");
   EXPECT_THAT(table, HasSubstr("<tr id=\"row-3\""));
   EXPECT_THAT(table, HasSubstr("<span class=\"chip none\">looks like another</span><span "
