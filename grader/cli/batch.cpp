@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace ggrade::cli {
@@ -30,8 +31,9 @@ void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes&
   if (notGradable || !outcome.unfinished.empty()) exitCode = kNotGradable;
   const std::vector<report::Attention> needs = report::needingAPerson(rows);
   // An override that looks wrong counts, as the instructor said: only who has no score is missing.
-  for (const report::Attention& one : needs)
-    if (one.lacksScore) exitCode = kNotGradable;
+  const auto alike = std::ranges::count_if(
+      rows, [](const report::ClassRow& row) { return !row.lookAlikes.empty(); });
+  if (std::ranges::any_of(needs, &report::Attention::lacksScore)) exitCode = kNotGradable;
   if (asJson) {
     nlohmann::json list = nlohmann::json::array(), changes = nlohmann::json::array();
     for (const report::ClassRow& row : rows)
@@ -84,8 +86,9 @@ void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes&
       fmt::print("NEEDS A PERSON {}: {}\n",
                  report::sanitizeLine(row.quoted.empty() ? row.name : row.quoted, 100), reason);
   }
-  fmt::print("{} graded, {} kept from before, {} not gradable{}\n{}\n{}\n", outcome.graded,
+  fmt::print("{} graded, {} kept from before, {} not gradable{}{}\n{}\n{}\n", outcome.graded,
              outcome.kept, notGradable,
+             alike ? fmt::format(", {} look alike and have no grade", alike) : "",
              exitCode == kDone ? "" : ": mend the cause and run the same again with --resume",
              (out / "gradebook.csv").string(), (out / "index.html").string());
 }

@@ -20,7 +20,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kOpenRises = 10; // more are folded away: drops are what one must see
-constexpr std::size_t kNameLength = 100, kShownRemarks = 5;
+constexpr std::size_t kNameLength = 100, kShownRemarks = 5, kRefusedLength = 120;
 constexpr std::size_t kOpenLines = 12; // of what was refused; more are folded away
 
 std::string counted(std::size_t count, const char* word) {
@@ -363,16 +363,17 @@ void setTable(json& data, const ClassPage& page, const ScoreFigures& figures) {
 
 // The first lines: who needs a person, what was refused, what kept programs from the machine.
 
+// As the row is to be told from others.
+std::string whoIs(const ClassRow& row) {
+  return shownName(!row.quoted.empty() ? row.quoted : row.name.empty() ? row.student : row.name);
+}
+
 json needsOf(std::span<const ClassRow> rows) {
   json needs = json::array();
-  for (const Attention& one : needingAPerson(rows)) {
-    const ClassRow& row = rows[one.row];
-    needs.push_back(
-        {{"place", one.row + 1},
-         {"name", row.quoted.empty() ? shownName(row.name.empty() ? row.student : row.name)
-                                     : sanitizeLine(row.quoted, kNameLength)},
-         {"reasons", linesOf(one.reasons)}});
-  }
+  for (const Attention& one : needingAPerson(rows))
+    needs.push_back({{"place", one.row + 1},
+                     {"name", whoIs(rows[one.row])},
+                     {"reasons", linesOf(one.reasons)}});
   return needs;
 }
 
@@ -380,8 +381,7 @@ json refusedOf(const ClassPage& page) {
   json lines = linesOf(page.refused);
   for (const ClassRow& row : page.rows)
     for (const std::string& line : shownRemarks(row.refused))
-      lines.push_back(shownName(row.name.empty() ? row.student : row.name) + ": " +
-                      sanitizeLine(line));
+      lines.push_back(whoIs(row) + ": " + sanitizeLine(line, kRefusedLength));
   return lines;
 }
 

@@ -317,6 +317,8 @@ TEST_F(Batch, WhoLooksLikeAnotherGetsNoGradeAndNeedsAPerson) {
   EXPECT_EQ(ended.exitCode, 1) << ended.errors;
   EXPECT_THAT(ended.out, HasSubstr("line 2, ada: 4 uploads claim this row, no grade is written: "));
   EXPECT_THAT(ended.out, HasSubstr("NEEDS A PERSON \"ada\\u{200B}\": Looks like "));
+  EXPECT_THAT(ended.out,
+              HasSubstr("0 not gradable, 4 look alike and have no grade: mend the cause"));
   EXPECT_EQ(tool::read(students.out() / "moodle.csv"),
             "Identifier,Grade,Maximum grade\nada,7,100\nben,0,100\n");
   const auto rows = gradebook(students.out());
@@ -359,7 +361,7 @@ TEST_F(Batch, AnArchiveBesideAFolderOfOneStudentIsNotChosen) {
   EXPECT_THAT(ended.out, HasSubstr("NEEDS A PERSON \"ada.zip\": Looks like \"ada\""));
   EXPECT_EQ(gradebook(students.out()).size(), 1U) << "the header alone";
   EXPECT_THAT(tool::read(students.out() / "index.html"),
-              HasSubstr("<li>ada.zip: ada.zip can&apos;t be read as a zip or tar file"));
+              HasSubstr("<li>&quot;ada.zip&quot;: ada.zip can&apos;t be read as a zip or tar"));
 }
 
 TEST_F(Batch, OverridesBeyondWhatCanBeGivenCountAndAreMarked) {
