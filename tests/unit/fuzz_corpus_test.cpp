@@ -1,8 +1,9 @@
 // Every input that tests/fuzz keeps, through the function that the fuzzer calls: whatever it
-// requires holds, or the program ends.
+// requires holds, or the program ends and names the input.
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +11,8 @@
 #include <iterator>
 #include <map>
 #include <string>
+
+#include <unistd.h>
 
 extern "C" {
 int LLVMFuzzerInitialize(int*, char***); // of fuzz_unpack
@@ -45,6 +48,17 @@ const std::map<std::string, int (*)(const std::uint8_t*, std::size_t)> kFuzzers 
 
 const fs::path kFuzz = fs::path(GGRADE_SOURCE_DIR) / "tests" / "fuzz";
 
+std::string current; ///< input
+constexpr int kFatal[] = {SIGABRT, SIGSEGV};
+struct sigaction before[std::size(kFatal)];
+
+/// Then goes on to what would have happened.
+void nameInput(int) {
+  const std::string line = "the input is " + current + '\n';
+  for (std::size_t i = 0; i < std::size(kFatal); ++i) sigaction(kFatal[i], &before[i], nullptr);
+  if (write(STDERR_FILENO, line.data(), line.size()) < 0) return;
+}
+
 TEST(FuzzCorpus, EveryFuzzerHasOneAndIsCalledHere) {
   for (const fs::directory_entry& entry : fs::directory_iterator(kFuzz)) {
     const fs::path file = entry.path();
@@ -56,15 +70,20 @@ TEST(FuzzCorpus, EveryFuzzerHasOneAndIsCalledHere) {
 
 TEST(FuzzCorpus, EveryInputIsTakenOrRefused) {
   ASSERT_EQ(LLVMFuzzerInitialize(nullptr, nullptr), 0);
+  struct sigaction name {};
+  name.sa_handler = nameInput;
+  for (std::size_t i = 0; i < std::size(kFatal); ++i) sigaction(kFatal[i], &name, &before[i]);
   std::uintmax_t bytes = 0;
   for (const auto& [name, fuzzer] : kFuzzers)
     for (const fs::directory_entry& entry : fs::directory_iterator(kFuzz / "corpus" / name)) {
-      SCOPED_TRACE(entry.path().string());
+      current = entry.path().string();
       std::ifstream in(entry.path(), std::ios::binary);
       const std::string input{std::istreambuf_iterator<char>(in), {}};
       bytes += input.size();
-      EXPECT_EQ(fuzzer(reinterpret_cast<const std::uint8_t*>(input.data()), input.size()), 0);
+      EXPECT_EQ(fuzzer(reinterpret_cast<const std::uint8_t*>(input.data()), input.size()), 0)
+          << current;
     }
+  for (std::size_t i = 0; i < std::size(kFatal); ++i) sigaction(kFatal[i], &before[i], nullptr);
   EXPECT_LT(bytes, 300'000u) << "minimise it";
 }
 
