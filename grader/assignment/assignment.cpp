@@ -40,6 +40,8 @@ ItemDeclaration readItem(const json& from) {
   item.points = from.at("points");
   if (!(item.points >= 0))
     throw UsageError(fmt::format("{}: points must not be negative", item.id));
+  if (item.points > 1e6) // or their sum would be no number
+    throw UsageError(fmt::format("{}: points must not be more than a million", item.id));
   item.cause = inWords(from.at("cause"));
   item.step = from.at("step");
   item.beyondLecture = from.value("beyond_lecture", false);
@@ -83,7 +85,8 @@ void requireChains(const Assignment& assignment) {
   for (const Part& part : assignment.parts)
     for (const ItemDeclaration& item : part.items) known[item.id] = {&part, &item};
   for (const auto& [id, found] : known) {
-    const auto [part, item] = found;
+    const Part* const part = found.first; // clang 14 lets no lambda have structured bindings
+    const ItemDeclaration* const item = found.second;
     if (item->after.empty()) continue;
     const auto refuse = [&](const std::string& why) {
       throw UsageError(fmt::format("{}: after \"{}\": {}", item->id, item->after, why));

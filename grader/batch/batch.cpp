@@ -22,13 +22,13 @@ void keepOnly(std::vector<intake::Upload>& uploads, const std::vector<std::strin
   std::vector<std::string> unknown;
   std::set<std::string> folders;
   for (const std::string& name : only) {
-    const auto found = std::ranges::find_if(uploads, [&](const intake::Upload& upload) {
-      return upload.student == name || upload.name == name || upload.folder == name;
-    });
-    if (found == uploads.end())
-      unknown.push_back(name);
-    else
-      folders.insert(found->folder);
+    bool found = false;
+    for (const intake::Upload& upload : uploads)
+      if (upload.student == name || upload.name == name || upload.folder == name) {
+        folders.insert(upload.folder);
+        found = true;
+      }
+    if (!found) unknown.push_back(name);
   }
   if (!unknown.empty())
     throw UsageError(fmt::format("--only: no upload is {}'s", fmt::join(unknown, "'s, none ")));
@@ -106,12 +106,14 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   State state = open(target, options);
   grading::TemporaryFolder work;
   state.work = work.path();
+  state.selfTest = options.selfTest;
   saveState(options.out, state);
 
   Outcome outcome;
   intake::Intake intake = intake::findUploads(options.uploads, target.assignment.files, work.path(),
                                               grading::isolation(), &grading::interrupted);
   outcome.remarks = std::move(intake.remarks);
+  outcome.refused = state.refused = std::move(intake.refused);
   keepOnly(intake.uploads, options.only);
   keepShard(intake.uploads, options.shard);
 

@@ -24,6 +24,7 @@ struct BatchOptions {
   Shard shard;
   report::Reveal reveal = report::Reveal::names;
   bool diagnosis = true;
+  std::string selfTest; ///< what the sandbox was seen to do, in words; empty: there is none
 };
 
 /// One finished submission, for who shows progress.
@@ -38,7 +39,8 @@ struct Outcome {
   std::size_t kept = 0;                ///< results of an earlier one that still hold
   std::vector<std::string> unfinished; ///< "name: reason", our fault; nothing was written for them
   std::vector<report::ScoreChange> changes; ///< since the last finished run, drops first
-  std::vector<std::string> remarks;         ///< on the folder of uploads
+  std::vector<std::string> refused;         ///< of the folder of uploads, "name: why"
+  std::vector<std::string> remarks;         ///< on it, besides
 };
 
 /// Grades what there is to grade into folders of `options.out`: one a submission, each written

@@ -3,10 +3,12 @@
 #include "assignment/assignment.hpp"
 #include "gradebook/cells.hpp"
 #include "gradebook/entry.hpp"
+#include "gradebook/look_alike.hpp"
 #include "report/text.hpp"
 #include "report/write_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -22,8 +24,13 @@ gradebook::MachineScore machineScore(const ClassRow& row) {
   gradebook::MachineScore machine;
   machine.student = row.student;
   if (row.outcome != results::Outcome::notGradable) machine.score = row.score + row.bonus;
-  for (const report::ClassItem& item : row.items)
-    machine.items.push_back({item.id, item.earned, item.points});
+  machine.most = row.maxScore;
+  for (const report::ClassItem& item : row.items) {
+    const bool keep = item.kind == results::ItemKind::keep;
+    machine.items.push_back(
+        {item.id, item.earned, keep ? -item.points : 0, keep ? 0 : item.points});
+    if (item.kind == results::ItemKind::bonus) machine.most += item.points;
+  }
   return machine;
 }
 
@@ -51,6 +58,7 @@ std::vector<gradebook::Entry> entriesOf(const std::vector<Record>& records,
     entry.penalty = row.penalty;
     entry.feedback = feedback(record, lateRule);
     entry.submitted = row.submitted;
+    entry.given = row.given;
     entries.push_back(std::move(entry));
   }
   return entries;
@@ -75,8 +83,38 @@ std::vector<std::pair<std::string, std::string>> factsOf(const std::vector<Recor
   };
   return {{"graded", all([](const Record& record) { return record.target; })},
           {"seed", all([](const Record& record) { return std::to_string(record.seed); })},
-          {"sandbox", all([](const Record& record) { return record.sandbox; })},
           {"grader", all([](const Record& record) { return record.grader.substr(0, 12); })}};
+}
+
+void markLookAlikes(std::vector<Record>& records) {
+  const auto quoted = [](const ClassRow& row) {
+    return gradebook::visible(row.given.empty() ? row.student : row.given);
+  };
+  std::vector<std::string> students;
+  for (const Record& record : records) students.push_back(record.row.student);
+  const auto others = gradebook::lookAlikes(students);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    if (others[i].empty()) continue;
+    records[i].row.quoted = quoted(records[i].row);
+    for (const std::size_t other : others[i])
+      records[i].row.lookAlikes.push_back(quoted(records[other].row));
+  }
+}
+
+/// By what the records say: each was graded where its sandbox was.
+void setProtections(const std::vector<Record>& records, PageNotes& notes) {
+  std::set<std::string> sandboxes;
+  for (const Record& record : records)
+    if (record.sandbox == "none")
+      ++notes.unprotected;
+    else
+      sandboxes.insert(record.sandbox);
+  if (sandboxes.empty()) return;
+  notes.protections = sandbox::protections();
+  notes.protections.insert(notes.protections.begin(),
+                           {"sandbox", fmt::format("{}", fmt::join(sandboxes, ", "))});
+  notes.protections.emplace_back("self-test",
+                                 notes.selfTest.empty() ? "none in this run" : notes.selfTest);
 }
 
 } // namespace
@@ -126,7 +164,7 @@ void Books::adjust(std::vector<Record>& records, PageNotes& notes) const {
     for (const gradebook::Change& change : one.changes) {
       row.adjustments.push_back({change.item, change.machine.value_or(0), change.points,
                                  report::sanitizeLine(change.reason),
-                                 report::sanitizeLine(change.who)});
+                                 report::sanitizeLine(change.who), change.beyond});
       isTotal |= change.item.empty();
     }
     row.finalScore = one.score.value_or(0);
@@ -153,9 +191,15 @@ void Books::adjust(std::vector<Record>& records, PageNotes& notes) const {
 std::vector<ClassRow> Books::write(const fs::path& out, PageNotes& notes) const {
   std::vector<Record> records = loadRecords(out);
   adjust(records, notes);
+  markLookAlikes(records);
+  setProtections(records, notes);
   std::ranges::stable_sort(records, {}, [](const Record& record) { return record.row.name; });
   const std::string lateRule = rule_ ? gradebook::describe(*rule_) : std::string();
-  for (const Record& record : records) adjustPages(out / record.row.folder, record.row, lateRule);
+  for (const Record& record : records) {
+    adjustPages(out / record.row.folder, record.row, lateRule);
+    if (record.isAdjusted || !record.row.adjustments.empty())
+      saveRecord(out / record.row.folder, record);
+  }
 
   const std::vector<gradebook::Entry> entries = entriesOf(records, lateRule);
   const std::string id = records.empty() ? std::string() : records[0].target;
@@ -175,6 +219,10 @@ std::vector<ClassRow> Books::write(const fs::path& out, PageNotes& notes) const 
   page.title = notes.title;
   page.intro = notes.intro;
   page.changes = notes.changes;
+  page.refused = notes.refused;
+  page.protections = notes.protections;
+  page.selfTested = !notes.selfTest.empty();
+  page.unprotected = notes.unprotected;
   page.remarks = notes.remarks;
   page.facts = factsOf(records);
   page.facts.insert(page.facts.end(), notes.facts.begin(), notes.facts.end());

@@ -23,8 +23,13 @@ struct BookOptions {
 struct PageNotes {
   std::string title, intro;
   std::vector<report::ScoreChange> changes;
+  std::vector<std::string> refused; ///< of the folder of uploads
+  std::string selfTest;             ///< of the sandbox, in words
   std::vector<std::string> remarks;
   std::vector<std::pair<std::string, std::string>> facts;
+  /// As in ClassPage; made of the records by Books::write.
+  std::vector<std::pair<std::string, std::string>> protections;
+  std::size_t unprotected = 0;
 };
 
 class Books {
@@ -35,7 +40,8 @@ public:
 
   /// Writes `index.html`, `gradebook.csv`, `moodle.csv` and `canvas.csv` of the folder `out`, each
   /// whole or not at all, and puts decisions into the students' pages. No machine score is changed.
-  /// Returns the rows of the page, by name, and in `notes.remarks` what could not be filled in.
+  /// Returns the rows of the page, by name, and in `notes` what could not be filled in and what the
+  /// records say of the sandbox.
   std::vector<report::ClassRow> write(const std::filesystem::path& out, PageNotes& notes) const;
 
 private:

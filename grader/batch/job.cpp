@@ -69,14 +69,19 @@ json toJson(const Job& job) {
     const std::string path = source.path.string();
     sources.push_back({std::vector<std::uint8_t>(path.begin(), path.end()), source.name});
   }
-  return {{"student", job.upload.student}, {"name", job.upload.name},
-          {"folder", job.upload.folder},   {"sources", sources},
-          {"remarks", job.upload.remarks}, {"key", job.key}};
+  return {{"student", job.upload.student},
+          {"given", job.upload.given},
+          {"name", job.upload.name},
+          {"folder", job.upload.folder},
+          {"sources", sources},
+          {"remarks", job.upload.remarks},
+          {"key", job.key}};
 }
 
 Job jobFrom(const json& line) {
   Job job;
   line.at("student").get_to(job.upload.student);
+  line.at("given").get_to(job.upload.given);
   line.at("name").get_to(job.upload.name);
   line.at("folder").get_to(job.upload.folder);
   for (const json& source : line.at("sources")) {

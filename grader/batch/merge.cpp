@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <map>
+#include <set>
 
 namespace ggrade::batch {
 
@@ -53,12 +54,16 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
   Merged merged;
   State joined;
   std::map<std::string, std::pair<Record, fs::path>> taken;
+  std::set<std::string> refused;           // each share has looked at the whole class
   std::map<std::string, fs::path> damaged; // names of results that can't be read, and where
   for (const fs::path& folder : from) {
     const auto state = loadState(folder);
     if (!state) throw UsageError(fmt::format("{} holds no graded class", folder.string()));
     joined.target = merged.target = state->target;
     if (folder == from.front()) joined.draw = state->draw;
+    refused.insert(state->refused.begin(), state->refused.end());
+    // Each share was tried on a machine of its own; where one was not, none is told.
+    if (folder == from.front() || state->selfTest.empty()) joined.selfTest = state->selfTest;
     if (!state->isFinished)
       merged.remarks.push_back(
           fmt::format("{} is not finished: go on with it by --resume", folder.string()));
@@ -93,6 +98,8 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
           "{} is missing here: its record in {} can't be read; grade it again there with "
           "--resume, then merge anew",
           report::sanitizeLine(name, 80), (folder / name).string()));
+  joined.refused = merged.refused = {refused.begin(), refused.end()};
+  merged.selfTest = joined.selfTest;
   joined.isFinished = merged.remarks.empty();
   saveState(out, joined);
   return merged;

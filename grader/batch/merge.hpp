@@ -14,6 +14,8 @@ struct Merged {
   /// One sentence each: the first folder's result was kept, or a result can't be read anywhere.
   std::vector<std::string> conflicts;
   std::vector<std::string> remarks; ///< shards that aren't finished
+  std::vector<std::string> refused; ///< of the folders of uploads
+  std::string selfTest;             ///< of the sandbox; empty: one of them had none
 };
 
 /// Copies the results of the classes in `from` to `out`, a new or empty folder. A submission that

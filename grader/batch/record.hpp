@@ -15,14 +15,17 @@ namespace ggrade::batch {
 
 /// `record.json` in a result's folder, with `thumbnail.png` beside it.
 struct Record {
-  report::ClassRow row; ///< the machine's share of it: no adjustments, no penalty
-  std::string target;   ///< ID of what was graded
+  /// The machine's share of it: no penalty; adjustments are written for who reads the file, and
+  /// made anew for every page.
+  report::ClassRow row;
+  std::string target; ///< ID of what was graded
   std::uint64_t seed = 0;
-  std::string upload;   ///< hash of what was handed in
-  std::string grader;   ///< hash of tool, rubrics, points, reference and scenes
-  std::string sandbox;  ///< "bwrap" or "none"
-  std::string feedback; ///< for a gradebook: plain UTF-8
-  unsigned run = 0;     ///< of this class; counts regradings
+  std::string upload;      ///< hash of what was handed in
+  std::string grader;      ///< hash of tool, rubrics, points, reference and scenes
+  std::string sandbox;     ///< "bubblewrap 0.8.0" or "none"
+  std::string feedback;    ///< for a gradebook: plain UTF-8
+  unsigned run = 0;        ///< of this class; counts regradings
+  bool isAdjusted = false; ///< does the file name adjustments?
 };
 
 /// What a record keeps of `result`; the feedback says what a student may know. The rest of the row

@@ -49,6 +49,8 @@ std::optional<State> loadState(const fs::path& out) {
     state.work = kept.at("work").get<std::string>();
     kept.at("run").get_to(state.run);
     kept.at("finished").get_to(state.isFinished);
+    state.selfTest = kept.value("self_test", std::string());
+    state.refused = kept.value("refused", std::vector<std::string>());
     kept.at("before").get_to(state.before);
     return state;
   } catch (const json::exception&) {
@@ -64,6 +66,8 @@ void saveState(const fs::path& out, const State& state) {
                      {"work", state.work.string()},
                      {"run", state.run},
                      {"finished", state.isFinished},
+                     {"self_test", state.selfTest},
+                     {"refused", state.refused},
                      {"before", state.before}};
   report::writeFile(out / kState, kept.dump(2) + '\n');
 }

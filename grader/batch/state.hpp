@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace ggrade::batch {
 
@@ -17,6 +18,8 @@ struct State {
   std::filesystem::path work; ///< temporary folder of the run; removed by the next one if this died
   unsigned run = 1;           ///< counts regradings
   bool isFinished = false;
+  std::string selfTest;             ///< of the sandbox, in words; empty: there was none
+  std::vector<std::string> refused; ///< of the folder of uploads, "name: why"
   /// Scores, by folder, that the last finished run left: what this one's are compared with.
   std::map<std::string, double> before;
 };

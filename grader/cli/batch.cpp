@@ -8,11 +8,13 @@
 #include "cli/terminal.hpp"
 #include "grading/program.hpp"
 #include "grading/workspace.hpp"
+#include "report/attention.hpp"
 #include "report/text.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <iostream>
 
 namespace ggrade::cli {
@@ -27,6 +29,11 @@ void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes&
   for (const report::ClassRow& row : rows)
     notGradable += row.outcome == results::Outcome::notGradable;
   if (notGradable || !outcome.unfinished.empty()) exitCode = kNotGradable;
+  const std::vector<report::Attention> needs = report::needingAPerson(rows);
+  // An override that looks wrong counts, as the instructor said: only who has no score is missing.
+  const auto alike = std::ranges::count_if(
+      rows, [](const report::ClassRow& row) { return !row.lookAlikes.empty(); });
+  if (std::ranges::any_of(needs, &report::Attention::lacksScore)) exitCode = kNotGradable;
   if (asJson) {
     nlohmann::json list = nlohmann::json::array(), changes = nlohmann::json::array();
     for (const report::ClassRow& row : rows)
@@ -40,13 +47,31 @@ void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes&
     for (const report::ScoreChange& change : outcome.changes)
       changes.push_back(
           {{"folder", change.folder}, {"before", change.before}, {"after", change.after}});
-    std::cout << nlohmann::json{{"submissions", list},  {"graded", outcome.graded},
-                                {"kept", outcome.kept}, {"unfinished", outcome.unfinished},
-                                {"changes", changes},   {"remarks", notes.remarks}}
+    nlohmann::json persons = nlohmann::json::array(), refused = notes.refused;
+    for (const report::Attention& one : needs)
+      persons.push_back({{"student", rows[one.row].student},
+                         {"folder", rows[one.row].folder},
+                         {"reasons", one.reasons}});
+    for (const report::ClassRow& row : rows)
+      for (const std::string& line : row.refused) refused.push_back(row.name + ": " + line);
+    nlohmann::json protections = nlohmann::json::object();
+    for (const auto& [key, text] : notes.protections) protections[key] = text;
+    std::cout << nlohmann::json{{"submissions", list},
+                                {"graded", outcome.graded},
+                                {"kept", outcome.kept},
+                                {"unfinished", outcome.unfinished},
+                                {"changes", changes},
+                                {"needs_person", persons},
+                                {"refused", refused},
+                                {"protections", protections},
+                                {"without_sandbox", notes.unprotected},
+                                {"remarks", notes.remarks}}
                      .dump(2, ' ', false, nlohmann::json::error_handler_t::replace)
               << '\n';
     return;
   }
+  for (const std::string& one : notes.refused)
+    fmt::print("refused: {}\n", report::sanitizeLine(one));
   for (const std::string& remark : notes.remarks)
     fmt::print("note: {}\n", report::sanitizeLine(remark));
   for (const report::ScoreChange& change : outcome.changes)
@@ -55,8 +80,15 @@ void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes&
                report::number(change.after));
   for (const std::string& one : outcome.unfinished)
     fmt::print("NOT GRADED {}\n", report::sanitizeLine(one));
-  fmt::print("{} graded, {} kept from before, {} not gradable{}\n{}\n{}\n", outcome.graded,
+  for (const report::Attention& one : needs) {
+    const report::ClassRow& row = rows[one.row];
+    for (const std::string& reason : one.reasons)
+      fmt::print("NEEDS A PERSON {}: {}\n",
+                 report::sanitizeLine(row.quoted.empty() ? row.name : row.quoted, 100), reason);
+  }
+  fmt::print("{} graded, {} kept from before, {} not gradable{}{}\n{}\n{}\n", outcome.graded,
              outcome.kept, notGradable,
+             alike ? fmt::format(", {} look alike and have no grade", alike) : "",
              exitCode == kDone ? "" : ": mend the cause and run the same again with --resume",
              (out / "gradebook.csv").string(), (out / "index.html").string());
 }
@@ -70,7 +102,10 @@ void runBatch(const BatchCommand& command) {
           .lexically_normal();
   if (!how.out.has_filename()) how.out = how.out.parent_path();
   how.reveal = *report::parseReveal(command.reveal);
-  const std::vector<std::string> refused = chooseSandbox(command.sandbox);
+  const std::vector<std::string> escapes = chooseSandbox(command.sandbox);
+  if (!escapes.empty())
+    how.selfTest = fmt::format("{} escapes were tried, all refused: {}", escapes.size(),
+                               fmt::join(escapes, ", "));
   if (!fs::exists(how.uploads))
     throw UsageError(fmt::format("{}: there is no such folder or archive", how.uploads.string()));
   batch::BookOptions given = command.books;
@@ -84,9 +119,8 @@ void runBatch(const BatchCommand& command) {
   progress.clear();
   batch::PageNotes notes;
   notes.title = target.title();
-  if (!refused.empty())
-    notes.facts.emplace_back("self-test of the sandbox",
-                             fmt::format("refused: {}", fmt::join(refused, ", ")));
+  notes.selfTest = how.selfTest;
+  notes.refused = outcome.refused;
   notes.changes = outcome.changes;
   notes.remarks = outcome.remarks;
   if (how.shard.of > 1)
@@ -104,6 +138,8 @@ void runMerge(const std::vector<std::string>& from, const std::string& outText,
   const batch::Merged merged = batch::mergeClasses(folders, out);
   batch::PageNotes notes;
   notes.title = findTarget(assignmentsFolder(), merged.target).title();
+  notes.selfTest = merged.selfTest;
+  notes.refused = merged.refused;
   notes.remarks = merged.remarks;
   notes.remarks.insert(notes.remarks.end(), merged.conflicts.begin(), merged.conflicts.end());
   const auto rows = books.write(out, notes);
@@ -138,8 +174,8 @@ void addMerge(CLI::App& app) {
   command->add_option("--out", options->out, "A new folder for the whole class")->required();
   declareBooks(*command, options->books);
   command->add_flag("--json", options->json, "Print JSON on stdout");
-  command->footer("Exit codes: 0 joined, 1 with conflicts (named) or not gradable submissions, 2 "
-                  "usage.\n\n"
+  command->footer("Exit codes: 0 joined, 1 with conflicts (named) or students without a score (not "
+                  "gradable,\nor several uploads that look like one student's), 2 usage.\n\n"
                   "Example:\n"
                   "  ggrade batch mirror uploads --shard 1/2 --out share1    (on one machine)\n"
                   "  ggrade batch mirror uploads --shard 2/2 --out share2    (on another)\n"

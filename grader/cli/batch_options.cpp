@@ -85,16 +85,17 @@ void declare(CLI::App& app, BatchCommand& command) {
                "Don't look for the likeliest cause of lost points");
   declareBooks(app, command.books);
   app.add_flag("--json", command.json, "Print JSON on stdout");
-  app.footer("OUT has gradebook.csv, index.html (the class), and a folder with the pages and files "
-             "of `grade` for each\n"
-             "student. Stopped by Ctrl-C, kill or a full disk, it goes on with --resume.\n"
-             "Exit codes: 0 all graded (whatever the scores), 1 some not gradable, 2 usage, 3 no "
-             "sandbox.\n\n"
-             "Examples:\n"
-             "  ggrade batch mirror uploads --out class\n"
-             "  ggrade batch mirror uploads --out class --resume\n"
-             "  ggrade batch mirror moodle.zip --out class --gradebook moodle=worksheet.csv\n"
-             "  ggrade batch mirror uploads --out class --regrade --only ada");
+  app.footer(
+      "OUT has gradebook.csv, index.html (the class), and a folder with the pages and files "
+      "of `grade` for each\n"
+      "student. Stopped by Ctrl-C, kill or a full disk, it goes on with --resume.\n"
+      "Exit codes: 0 all graded (whatever the scores), 1 somebody has no score (not gradable, "
+      "or several\nuploads that look like one student's), 2 usage, 3 no sandbox.\n\n"
+      "Examples:\n"
+      "  ggrade batch mirror uploads --out class\n"
+      "  ggrade batch mirror uploads --out class --resume\n"
+      "  ggrade batch mirror moodle.zip --out class --gradebook moodle=worksheet.csv\n"
+      "  ggrade batch mirror uploads --out class --regrade --only ada");
 }
 
 void finish(const CLI::App& app, BatchCommand& command) {

@@ -75,6 +75,19 @@ void startElsewhere(const std::string& command, char** words) {
   }
 }
 
+/// Also what keeps submissions away from this machine, tried now: who reports a fault, or prepares
+/// a machine for a class, must know.
+std::string versionText() {
+  const sandbox::SelfTest test = sandbox::selfTest();
+  std::string text = fmt::format("ggrade {}\n", toolchain::kVersion);
+  text +=
+      gg::say("sandbox: {}", sandbox::isInstalled() ? sandbox::version() : gg::say("none")) + '\n';
+  text += test.problem ? gg::say("self-test: failed: {}", *test.problem)
+                       : gg::say("self-test: passed, {} escapes were tried and refused",
+                                 test.refused.size());
+  return text;
+}
+
 int run(int count, char** given, const std::vector<AddCommand>& commands) {
   std::vector<char*> words(given, given + count);
   takeLanguage(words);
@@ -94,7 +107,7 @@ int run(int count, char** given, const std::vector<AddCommand>& commands) {
       "Also: ggrade run ID (a window), ggrade test (all tests), ggrade compare A B (two images),\n"
       "for authors of assignments ggrade calibrate, tradeoff, derive, new, release.\n"
       "Every command: --lang en|ja, what students read (default: by GG_LANG, else LANG).");
-  app.set_version_flag("--version", std::string("ggrade ") + toolchain::kVersion);
+  app.set_version_flag("--version", versionText);
   app.require_subcommand(1);
   sayErrors(app);
   for (const AddCommand add : commands) add(app);

@@ -2,6 +2,7 @@
 
 #include "gradebook/cells.hpp"
 #include "gradebook/csv.hpp"
+#include "gradebook/look_alike.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>
@@ -10,6 +11,12 @@
 #include <stdexcept>
 
 namespace ggrade::gradebook {
+
+std::vector<std::string> studentsOf(const std::vector<Entry>& entries) {
+  std::vector<std::string> students;
+  for (const Entry& entry : entries) students.push_back(entry.student);
+  return students;
+}
 
 std::optional<double> finalScore(const Entry& entry) {
   if (!entry.score) return {};
@@ -40,7 +47,10 @@ std::string neutralCsv(const std::string& assignment, const std::string& due,
   checkNumbers(entries);
   std::string csv = "assignment,duedate,timestamp,student_id,last_name,first_name,email,raw_score,"
                     "late_submission_penalty,score,max_score\n";
-  for (const Entry& entry : entries) {
+  const auto others = lookAlikes(studentsOf(entries));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!others[i].empty()) continue;
+    const Entry& entry = entries[i];
     const auto ifScored = [&](double value) {
       return entry.score ? writeNumber(value) : std::string();
     };

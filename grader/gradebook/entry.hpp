@@ -17,7 +17,11 @@ struct Entry {
   double penalty = 0;      ///< points taken off for lateness
   std::string feedback{};  ///< plain UTF-8, lines end in LF
   std::string submitted{}; ///< ISO 8601, or empty
+  std::string given{};     ///< the identifier as it was found; empty: `student`
 };
+
+/// Of each entry, for lookAlikes.
+std::vector<std::string> studentsOf(const std::vector<Entry>& entries);
 
 /// The points that count, never below 0; none where there is no score.
 std::optional<double> finalScore(const Entry& entry);
@@ -31,7 +35,8 @@ void checkNumbers(const std::vector<Entry>& entries);
 /// email,raw_score,late_submission_penalty,score,max_score`; lines end in LF.
 ///
 /// A student who was not gradable has a row with empty `raw_score`, `late_submission_penalty` and
-/// `score`: that is not 0 points. The whole name stands in `last_name`, since nothing says where to
+/// `score`: that is not 0 points. Students who look like one another (lookAlikes) have no row, so
+/// that nobody has two. The whole name stands in `last_name`, since nothing says where to
 /// split it. All text is neutralized.
 /// \param due ISO 8601, or empty
 /// Throws std::invalid_argument for numbers that are none (checkNumbers).

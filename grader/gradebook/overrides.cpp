@@ -36,11 +36,25 @@ Override readLine(const Csv& csv, std::size_t row, const std::vector<std::size_t
     fault(fmt::format("points is \"{}\": write a number such as 7.5",
                       report::sanitizeLine(points, 60)));
   one.points = *number;
+  if (std::abs(one.points) > kMostPoints)
+    fault(fmt::format("points is \"{}\": no item and no total has so many",
+                      report::sanitizeLine(points, 60)));
   if (one.item.empty() && one.points < 0)
     fault(fmt::format("points is \"{}\": a total is never below 0", points));
   if (one.reason.empty()) fault("there is no reason: say why the points were changed");
   if (one.who.empty()) fault("there is no who: say who changed the points");
   return one;
+}
+
+/// "50 points are more than the 0 that keep can give": a sign, or the item, may be the wrong one.
+std::string beyond(double points, double least, double most, const std::string& of) {
+  if (points > most)
+    return fmt::format("{} points are more than the {} that {} can give", writeNumber(points),
+                       writeNumber(most), of);
+  if (points < least)
+    return fmt::format("{} points are less than the {} that {} can come to", writeNumber(points),
+                       writeNumber(least), of);
+  return {};
 }
 
 class Application {
@@ -62,7 +76,7 @@ public:
     const MachineScore& machine = scores_[found.front()];
     Overridden& overridden = result_.scores[found.front()];
     if (one.item.empty()) {
-      overridden.changes.push_back({"", machine.score, one.points, one.reason, one.who});
+      change(overridden, one, machine.score, beyond(one.points, 0, machine.most, "all items"));
       return;
     }
     const auto item = std::find_if(machine.items.begin(), machine.items.end(),
@@ -72,10 +86,7 @@ public:
     if (item == machine.items.end())
       return remark(one, fmt::format("there is no item \"{}\"; there are {}",
                                      report::sanitizeLine(one.item, 100), ids(machine)));
-    if (std::abs(one.points) > item->points)
-      remark(one, fmt::format("{} points are more than the {} of {}", writeNumber(one.points),
-                              writeNumber(item->points), item->id));
-    overridden.changes.push_back({one.item, item->earned, one.points, one.reason, one.who});
+    change(overridden, one, item->earned, beyond(one.points, item->least, item->most, item->id));
   }
 
   Overrides finish() {
@@ -86,6 +97,14 @@ public:
 private:
   void remark(const Override& one, const std::string& what) {
     result_.remarks.push_back(fmt::format("{}:{}: {}", fileName_, one.line, what));
+  }
+
+  void change(Overridden& overridden, const Override& one, std::optional<double> machine,
+              const std::string& beyond) {
+    if (!beyond.empty())
+      remark(one, fmt::format("{}: {}; they count, as they were given",
+                              report::sanitizeLine(one.student, 100), beyond));
+    overridden.changes.push_back({one.item, machine, one.points, one.reason, one.who, beyond});
   }
 
   static std::string ids(const MachineScore& score) {

@@ -19,14 +19,17 @@ struct Override {
 };
 
 /// Throws UsageError as `file:line: ...` with the remedy for a column that is missing or unknown, a
-/// student, reason or who that is missing, points that are no number, a total below 0, and a
-/// student and item that stand there twice.
+/// student, reason or who that is missing, points that are no number or beyond kMostPoints, a total
+/// below 0, and a student and item that stand there twice.
 std::vector<Override> readOverrides(std::string_view bytes, const std::string& fileName);
+
+/// More than any assignment gives or takes.
+inline constexpr double kMostPoints = 1e6;
 
 struct MachineItem {
   std::string id;
-  double earned = 0; ///< points given or, below 0, taken away
-  double points = 0; ///< most that it can give or take away
+  double earned = 0;          ///< points given or, below 0, taken away
+  double least = 0, most = 0; ///< that it can be
 };
 
 /// What the machine made of one submission: what is never altered.
@@ -34,6 +37,7 @@ struct MachineScore {
   std::string student;
   std::optional<double> score{};    ///< none: not gradable
   std::vector<MachineItem> items{}; ///< what counts in the score
+  double most = kMostPoints;        ///< that the score can be, the bonus included
 };
 
 /// One override beside what it replaces.
@@ -42,6 +46,9 @@ struct Change {
   std::optional<double> machine; ///< points of the machine; none: not gradable
   double points = 0;
   std::string reason, who;
+  /// Why the points can hardly be meant: beyond what the item, or all of them, can give. They count
+  /// all the same. Empty: they are within.
+  std::string beyond{};
 };
 
 struct Overridden {
@@ -61,7 +68,7 @@ struct Overrides {
 /// Applies what can be applied for certain and says in words what can't: students and items that
 /// there are not, items of a submission that was not gradable (its total can be given), items
 /// beside an overridden total, which stands whatever they are. Points beyond what an item can give
-/// count, with a remark.
+/// count, with a remark and marked in their Change: a sign or an item may be the wrong one.
 Overrides applyOverrides(const std::vector<MachineScore>& scores,
                          const std::vector<Override>& overrides, const std::string& fileName);
 

@@ -2,6 +2,7 @@
 
 #include "assignment/usage_error.hpp"
 #include "gradebook/cells.hpp"
+#include "gradebook/look_alike.hpp"
 #include "report/text.hpp"
 
 #include <cmath>
@@ -28,12 +29,10 @@ std::map<std::string, std::size_t> rowsByKey(const std::vector<StudentRow>& rows
   return found;
 }
 
-std::string names(const std::vector<const Entry*>& entries) {
-  std::vector<std::string> all;
-  for (const Entry* entry : entries)
-    all.push_back(report::sanitizeLine(
-        entry->name.empty() ? entry->student : entry->student + " (" + entry->name + ")"));
-  return fmt::format("{}", fmt::join(all, ", "));
+std::string shownName(const Entry& entry) {
+  const std::string student = entry.given.empty() ? entry.student : visible(entry.given);
+  const bool named = !entry.name.empty() && entry.name != entry.student;
+  return report::sanitizeLine(named ? student + " (" + entry.name + ")" : student);
 }
 
 } // namespace
@@ -61,33 +60,45 @@ std::vector<const Entry*> uploadsOf(const std::vector<StudentRow>& rows,
   std::vector<std::map<std::string, std::size_t>> byKey;
   for (std::size_t key = 0; key < keys; ++key) byKey.push_back(rowsByKey(rows, key, fileName));
 
-  std::vector<std::vector<const Entry*>> claims(rows.size());
+  std::map<std::string, std::set<std::size_t>> rowsLike;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const std::string& key : rows[i].keys)
+      if (!key.empty()) rowsLike[skeleton(key)].insert(i);
+
+  const auto others = lookAlikes(studentsOf(entries));
+  std::vector<std::set<std::size_t>> claims(rows.size()); // places of entries
   std::vector<std::string> strangers;
-  for (const Entry& entry : entries) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
     std::set<std::size_t> found;
     for (const auto& known : byKey) {
-      const auto row = known.find(plainIdentifier(entry.student));
+      const auto row = known.find(plainIdentifier(entries[i].student));
       if (row != known.end()) found.insert(row->second);
     }
+    // One that looks like another upload may be meant as the row that it only looks like.
+    const auto like = rowsLike.find(skeleton(entries[i].student));
+    if (found.empty() && !others[i].empty() && like != rowsLike.end()) found = like->second;
     if (found.size() == 1) {
-      claims[*found.begin()].push_back(&entry);
+      claims[*found.begin()].insert(i);
+      claims[*found.begin()].insert(others[i].begin(), others[i].end());
     } else if (found.empty()) {
-      strangers.push_back(names({&entry}) + ": the upload has no row in the worksheet");
+      strangers.push_back(shownName(entries[i]) + ": the upload has no row in the worksheet");
     } else {
       std::vector<std::string> shown;
       for (const std::size_t row : found) shown.push_back(rows[row].shown);
       strangers.push_back(fmt::format("{}: the upload could belong to {}; no grade is written",
-                                      names({&entry}), fmt::join(shown, " or to ")));
+                                      shownName(entries[i]), fmt::join(shown, " or to ")));
     }
   }
 
   std::vector<const Entry*> uploads;
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    uploads.push_back(claims[i].size() == 1 ? claims[i].front() : nullptr);
+    uploads.push_back(claims[i].size() == 1 ? &entries[*claims[i].begin()] : nullptr);
     if (claims[i].empty()) remarks.push_back(rows[i].shown + ": no upload");
-    if (claims[i].size() > 1)
-      remarks.push_back(fmt::format("{}: {} uploads claim this row, no grade is written: {}",
-                                    rows[i].shown, claims[i].size(), names(claims[i])));
+    if (claims[i].size() < 2) continue;
+    std::vector<std::string> names;
+    for (const std::size_t entry : claims[i]) names.push_back(shownName(entries[entry]));
+    remarks.push_back(fmt::format("{}: {} uploads claim this row, no grade is written: {}",
+                                  rows[i].shown, names.size(), fmt::join(names, ", ")));
   }
   remarks.insert(remarks.end(), strangers.begin(), strangers.end());
   return uploads;

@@ -4,7 +4,8 @@
 ///
 /// Nothing is guessed. What cannot be filled in for certain stays as it was, and a remark says
 /// where and why: students without an upload, uploads without a row, rows that are locked, uploads
-/// that claim the same row, students who were not gradable, grades that were there before.
+/// that claim the same row or look like one another (lookAlikes), students who were not gradable,
+/// grades that were there before.
 ///
 /// Scores are scaled to the worksheet's maximum and have two decimals at most. The decimal mark is
 /// the one of the maximum ("100,00"); where that has none, it is a comma if cells are separated by

@@ -279,6 +279,8 @@ results::Result Grader::gradeUpload(const intake::Upload& upload) {
     result = ungraded(target_, plan_, Outcome::buildFailed, error.what());
   }
   options_.begins(Runs::none);
+  result.refused = unpacked.refused;
+  if (!unpacked.problem.empty()) result.refused.push_back(unpacked.problem);
   for (const auto* list : {&unpacked.refused, &unpacked.remarks})
     result.unusedFiles.insert(result.unusedFiles.end(), list->begin(), list->end());
   return result;

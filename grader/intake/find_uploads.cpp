@@ -32,7 +32,7 @@ struct Found {
 
 using Remarks = std::vector<std::string>;
 
-std::vector<Found> listEntries(const fs::path& folder, Remarks& remarks) {
+std::vector<Found> listEntries(const fs::path& folder, Remarks& refused, Remarks& remarks) {
   std::vector<Found> all;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     const std::string bytes = entry.path().filename().string();
@@ -41,9 +41,9 @@ std::vector<Found> listEntries(const fs::path& folder, Remarks& remarks) {
     if (!clutterIn(bytes).empty())
       remarks.push_back(shown + ": passed over, no student's");
     else if (found.kind == Kind::symbolicLink)
-      remarks.push_back(shown + ": a symbolic link is not followed");
+      refused.push_back(shown + ": a symbolic link is not followed");
     else if (found.kind != Kind::file && found.kind != Kind::folder)
-      remarks.push_back(shown + ": neither a file nor a folder");
+      refused.push_back(shown + ": neither a file nor a folder");
     else
       all.push_back(found);
   }
@@ -86,14 +86,15 @@ std::vector<Upload> plainUploads(const std::vector<Found>& entries, Remarks& rem
   for (const Found& found : entries) ++counts[stemOf(found)];
   std::vector<Upload> uploads;
   for (const Found& found : entries) {
-    // ada.zip beside ada: whether they are one student's is not for us to say.
+    // ada.zip beside ada: which of them counts is not for us to say.
     const bool unclear = counts[stemOf(found)] > 1;
     const std::string name = unclear ? found.name : stemOf(found);
     if (unclear)
       remarks.push_back(
           fmt::format("{}: graded under its whole name, since {} uploads are called {}",
                       displayName(found.name), counts[stemOf(found)], displayName(stemOf(found))));
-    uploads.push_back(startUpload(displayName(name), name, folderName(name)));
+    uploads.push_back(startUpload(displayName(stemOf(found)), name, folderName(name)));
+    uploads.back().given = name;
     uploads.back().sources = {{found.path, found.name}};
   }
   return uploads;
@@ -130,7 +131,7 @@ struct Attempt {
   std::int64_t modified = 0;
 };
 
-std::vector<Upload> moodleUploads(const std::vector<Found>& entries, Remarks& remarks) {
+std::vector<Upload> moodleUploads(const std::vector<Found>& entries, Remarks& refused) {
   struct Student {
     std::string name;
     std::vector<Attempt> folders;
@@ -142,7 +143,7 @@ std::vector<Upload> moodleUploads(const std::vector<Found>& entries, Remarks& re
     Student& student = students[name->identifier];
     student.name = name->name;
     if (name->onlineText) {
-      remarks.push_back(displayName(found.name) + ": online text, not a file");
+      refused.push_back(displayName(found.name) + ": online text, not a file");
       continue;
     }
     const std::int64_t modified = newest(found.path);
@@ -251,9 +252,9 @@ Intake findUploads(const fs::path& source, const std::vector<std::string>& wante
         fmt::format("there is no {}: name the folder or archive of uploads", source.string()));
   if (!fs::is_directory(source)) {
     folder = work / "class";
-    unpackClass(source, folder, isolation, cancel, intake.remarks);
+    unpackClass(source, folder, isolation, cancel, intake.refused, intake.remarks);
   }
-  std::vector<Found> entries = listEntries(folder, intake.remarks);
+  std::vector<Found> entries = listEntries(folder, intake.refused, intake.remarks);
   intake.layout = layoutOf(entries);
   // Names of the layout first. Whoever has another name is graded all the same, and has a row.
   const bool moodle = intake.layout == Layout::moodle, canvas = intake.layout == Layout::canvas;
@@ -261,7 +262,7 @@ Intake findUploads(const fs::path& source, const std::vector<std::string>& wante
     return (moodle && isMoodle(one)) || (canvas && isCanvas(one));
   });
   const std::vector<Found> named(entries.begin(), others), plain(others, entries.end());
-  if (moodle) intake.uploads = moodleUploads(named, intake.remarks);
+  if (moodle) intake.uploads = moodleUploads(named, intake.refused);
   if (canvas) intake.uploads = canvasUploads(named, wanted);
   if (moodle || canvas)
     for (const Found& one : plain)
@@ -274,6 +275,7 @@ Intake findUploads(const fs::path& source, const std::vector<std::string>& wante
                                  "a file for each student",
                                  source.string()));
   makeUnique(intake.uploads);
+  std::sort(intake.refused.begin(), intake.refused.end());
   std::sort(intake.remarks.begin(), intake.remarks.end());
   return intake;
 }

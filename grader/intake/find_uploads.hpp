@@ -30,19 +30,21 @@ struct Upload {
   std::string folder;  ///< for results, see folderName; unique, also when case is ignored
   std::vector<Source> sources;
   std::vector<std::string> remarks; ///< "2 attempts: ... counts"
+  std::string given; ///< where `student` is made of the name: that, with all of its characters
 };
 
 struct Intake {
   Layout layout = Layout::plain;
   std::vector<Upload> uploads;      ///< by `folder`
-  std::vector<std::string> remarks; ///< "name: why it is no upload"
+  std::vector<std::string> refused; ///< "name: why it is no upload"
+  std::vector<std::string> remarks; ///< what else is to be said of a name
 };
 
 /// Finds the uploads in `source`, a folder, or the archive of a whole class, which is unpacked to
 /// `work`/class first. Links, devices and FIFOs are never followed or opened.
 ///
 /// - Plain: the student is the entry's name without the archive's suffix. Nothing is guessed from
-///   numbers in names.
+///   numbers in names; `ada` and `ada.zip` are two uploads of one student, for a person to choose.
 /// - Moodle: where a student is there more than once, the latest time of modification counts.
 /// - Canvas: `floor-1.cpp` and `floor-2.cpp` are later versions of `floor.cpp`, if that is one of
 ///   `wanted` or an archive; the highest number counts.

@@ -132,7 +132,8 @@ void setModified(const fs::path& path, std::int64_t seconds) {
 } // namespace
 
 void unpackClass(const fs::path& archive, const fs::path& into, sandbox::Isolation isolation,
-                 const std::atomic<bool>* cancel, std::vector<std::string>& remarks) {
+                 const std::atomic<bool>* cancel, std::vector<std::string>& refused,
+                 std::vector<std::string>& remarks) {
   if (archiveSuffix(archive.filename().string()).empty())
     throw UsageError(fmt::format("{} is neither a folder nor a zip or tar file: name the folder of "
                                  "uploads, or the archive of all",
@@ -153,7 +154,7 @@ void unpackClass(const fs::path& archive, const fs::path& into, sandbox::Isolati
     writeNew(path, file.bytes);
     setModified(path, file.modified);
   }
-  remarks.insert(remarks.end(), contents.refused().begin(), contents.refused().end());
+  refused.insert(refused.end(), contents.refused().begin(), contents.refused().end());
   if (const std::string clutter = contents.clutterRemark(); !clutter.empty())
     remarks.push_back(clutter);
 }

@@ -1,5 +1,6 @@
 #include "report/class_page.hpp"
 
+#include "report/attention.hpp"
 #include "report/chart.hpp"
 #include "report/class_figures.hpp"
 #include "report/page.hpp"
@@ -19,7 +20,8 @@ using nlohmann::json;
 namespace {
 
 constexpr std::size_t kOpenRises = 10; // more are folded away: drops are what one must see
-constexpr std::size_t kNameLength = 100, kShownRemarks = 5;
+constexpr std::size_t kNameLength = 100, kShownRemarks = 5, kRefusedLength = 120;
+constexpr std::size_t kOpenLines = 12; // of what was refused; more are folded away
 
 std::string counted(std::size_t count, const char* word) {
   return fmt::format("{} {}{}", count, word, count == 1 ? "" : "s");
@@ -292,15 +294,16 @@ void setScores(json& data, const ClassRow& row, const ScoreFigures& figures) {
 }
 
 void setAdjustments(json& data, const ClassRow& row) {
-  std::vector<std::string> lines;
+  json lines = json::array();
   double sum = 0;
   for (const Adjustment& adjustment : row.adjustments) {
-    lines.push_back(adjustmentText(row, adjustment));
+    lines.push_back({{"text", sanitizeLine(adjustmentText(row, adjustment))},
+                     {"beyond", sanitizeLine(adjustment.beyond)}});
     sum += adjustment.points - adjustment.machine;
   }
   data["isAdjusted"] = !lines.empty();
-  data["adjustments"] = linesOf(lines);
   data["adjustedValue"] = lines.empty() ? "" : valueOf(sum);
+  data["adjustments"] = std::move(lines);
 }
 
 // "2026-11-20T23:59+09:00" as two pieces between which a line may end.
@@ -326,6 +329,12 @@ json rowOf(const ClassRow& row, const ScoreFigures& figures) {
   data["thumbnail"] = dataUri(row.thumbnail);
   data["headline"] = headline;
   data["reason"] = reason == headline ? "" : reason;
+  data["quoted"] = sanitizeLine(row.quoted, kNameLength);
+  data["alike"] = row.lookAlikes.empty()
+                      ? ""
+                      : "looks like " + (row.lookAlikes.size() == 1
+                                             ? "another"
+                                             : std::to_string(row.lookAlikes.size()) + " others");
   data["hasRemarks"] = !row.remarks.empty();
   data["remarks"] = linesOf(shownRemarks(row.remarks));
   data["seconds"] = std::isfinite(row.seconds) ? number(row.seconds, 1) : "";
@@ -343,10 +352,76 @@ void setTable(json& data, const ClassPage& page, const ScoreFigures& figures) {
   });
   data["hasSubmitted"] = any([](const ClassRow& row) { return !row.submitted.empty(); });
   json &rows = data["rows"] = json::array(), &outcomes = data["outcomes"] = json::array();
-  for (const ClassRow& row : page.rows) rows.push_back(rowOf(row, figures));
+  for (const ClassRow& row : page.rows) {
+    rows.push_back(rowOf(row, figures));
+    rows.back()["place"] = rows.size();
+  }
   for (const ClassGroup& group : groupByOutcome(page.rows))
     outcomes.push_back(
         {{"outcome", group.id}, {"outcomeWords", spaced(group.id)}, {"count", group.rows.size()}});
+}
+
+// The first lines: who needs a person, what was refused, what kept programs from the machine.
+
+// As the row is to be told from others.
+std::string whoIs(const ClassRow& row) {
+  return shownName(!row.quoted.empty() ? row.quoted : row.name.empty() ? row.student : row.name);
+}
+
+json needsOf(std::span<const ClassRow> rows) {
+  json needs = json::array();
+  for (const Attention& one : needingAPerson(rows))
+    needs.push_back({{"place", one.row + 1},
+                     {"name", whoIs(rows[one.row])},
+                     {"reasons", linesOf(one.reasons)}});
+  return needs;
+}
+
+json refusedOf(const ClassPage& page) {
+  json lines = linesOf(page.refused);
+  for (const ClassRow& row : page.rows)
+    for (const std::string& line : shownRemarks(row.refused))
+      lines.push_back(whoIs(row) + ": " + sanitizeLine(line, kRefusedLength));
+  return lines;
+}
+
+std::size_t refusedCount(const ClassPage& page) {
+  std::size_t count = page.refused.size();
+  for (const ClassRow& row : page.rows) count += row.refused.size();
+  return count;
+}
+
+void setFirstLines(json& data, const ClassPage& page) {
+  json needs = needsOf(page.rows), refused = refusedOf(page), protections = json::array();
+  for (const auto& [key, value] : page.protections)
+    protections.push_back({{"key", sanitizeLine(key)}, {"text", sanitizeLine(value)}});
+  data["needing"] = needs.empty() ? "Nobody needs a person"
+                                  : fmt::format("{} of {} need{} a person", needs.size(),
+                                                counted(page.rows.size(), "student"),
+                                                needs.size() == 1 ? "s" : "");
+  data["hasNeeds"] = !needs.empty();
+  data["hasAlike"] =
+      std::ranges::any_of(page.rows, [](const ClassRow& row) { return !row.lookAlikes.empty(); });
+  data["needs"] = std::move(needs);
+  data["refusedCount"] = refused.empty() ? "Nothing was refused"
+                         : refusedCount(page) == 1
+                             ? "1 file or upload refused"
+                             : fmt::format("{} files or uploads refused", refusedCount(page));
+  data["hasRefused"] = !refused.empty();
+  data["refusedOpen"] = refused.size() <= kOpenLines;
+  data["refused"] = std::move(refused);
+  data["protectedBy"] = page.protections.empty() ? "" : sanitizeLine(page.protections[0].second);
+  data["protections"] = std::move(protections);
+  data["tested"] = page.selfTested ? "self-test passed" : "no self-test in this run";
+  data["unprotected"] =
+      page.unprotected == 0
+          ? ""
+          : fmt::format("No sandbox: {} ran as the user who graded, with that user's files and "
+                        "network (--sandbox none).",
+                        page.unprotected == page.rows.size()
+                            ? "every program"
+                            : fmt::format("the programs of {} of {}", page.unprotected,
+                                          counted(page.rows.size(), "student")));
 }
 
 } // namespace
@@ -376,6 +451,7 @@ std::string classPage(const ClassPage& page) {
                {"hasFacts", !page.facts.empty()},
                {"facts", std::move(facts)}};
   setTable(data, page, figures);
+  setFirstLines(data, page);
   return renderPage({templates::k_class_mustache, templates::k_class_js,
                      templates::k_class_js_sha256, templates::k_class_css},
                     std::move(data), fmt::format("{} · {}", shownName(page.title), students));

@@ -16,6 +16,7 @@ struct Adjustment {
   double machine = 0; ///< points that the machine gave
   double points = 0;  ///< points that stand instead
   std::string reason, who;
+  std::string beyond{}; ///< why the points can hardly be meant, as in gradebook::Change; or empty
 };
 
 /// How one item went for one student. Points as in Item.
@@ -49,9 +50,15 @@ struct ClassRow {
   std::vector<ClassItem> items;
   std::vector<ClassDiagnosis> diagnoses;
   std::string submitted;            ///< ISO 8601, or empty
-  std::vector<std::string> remarks; ///< on the upload: attempts, refused files
-  std::string thumbnail;            ///< a PNG's bytes; may be empty
-  double seconds = 0;               ///< that grading took
+  std::vector<std::string> remarks; ///< on the upload: attempts
+  std::vector<std::string> refused; ///< "name: why", what of the upload was not taken
+  std::string given; ///< the identifier as it was found, all characters kept; empty: `student`
+  /// Other uploads of the class whose identifiers look like this one's, and this one as it was
+  /// found: in quotes, with what can't be seen by its number. Empty where there are none.
+  std::vector<std::string> lookAlikes;
+  std::string quoted;
+  std::string thumbnail; ///< a PNG's bytes; may be empty
+  double seconds = 0;    ///< that grading took
 };
 
 /// A score that is another one than in the run before.
@@ -65,8 +72,13 @@ struct ClassPage {
   std::string intro;                ///< one or two sentences; may be empty
   std::vector<ClassRow> rows;       ///< by name
   std::vector<ScoreChange> changes; ///< drops first
+  std::vector<std::string> refused; ///< of the folder of uploads, "name: why"
+  /// What kept programs away from the machine, the first one being the sandbox's name.
+  std::vector<std::pair<std::string, std::string>> protections;
+  bool selfTested = false;          ///< was the sandbox tried before this run?
+  std::size_t unprotected = 0;      ///< submissions that ran without a sandbox
   std::vector<std::string> remarks; ///< on the run: what was passed over, shards
-  std::vector<std::pair<std::string, std::string>> facts; ///< seed, sandbox, tool, late rule, ...
+  std::vector<std::pair<std::string, std::string>> facts; ///< seed, tool, late rule, ...
 };
 
 /// The whole page.

@@ -136,6 +136,7 @@ struct Result {
   std::vector<Scene> scenes;
   std::string compilerOutput;           ///< valid UTF-8, the student's file names
   std::vector<std::string> unusedFiles; ///< what the upload held besides, with the reason
+  std::vector<std::string> refused;     ///< of these what was refused; or the upload as a whole
   std::vector<Timing> timings; ///< one called "total" holds the sum; else they are added up
   std::vector<std::pair<std::string, double>>
       thresholds; ///< the comparison's tolerances, published

@@ -3,6 +3,8 @@
 #include "bwrap_arguments.hpp"
 #include "helper_plan.hpp"
 
+#include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <unistd.h>
@@ -41,7 +43,7 @@ std::string diagnose(const std::string& detail) {
 
 SelfTest selfTest() {
   const auto fails = [](std::string why) { return SelfTest{std::move(why), {}}; };
-  if (access(kBwrap, X_OK) != 0)
+  if (!isInstalled())
     return fails(std::string(kBwrap) + " is missing. Remedy: apt-get install bubblewrap");
   // By it a run's processes are found, so that limits hold for all of them together.
   if (access("/proc/thread-self/children", R_OK) != 0)
@@ -64,6 +66,37 @@ SelfTest selfTest() {
   }
   if (result.exitCode != 0) return fails("the sandbox leaks: it allowed " + allowed);
   return test;
+}
+
+bool isInstalled() {
+  return access(kBwrap, X_OK) == 0;
+}
+
+const std::string& version() {
+  static const std::string text = [] {
+    std::string line = "bubblewrap";
+    if (std::FILE* const said =
+            popen((std::string(kBwrap) + " --version 2>/dev/null").c_str(), "r")) {
+      char block[100] = {};
+      if (std::fgets(block, sizeof block, said) && std::string_view(block).starts_with(line))
+        line = std::string(block, std::strcspn(block, "\n"));
+      pclose(said);
+    }
+    return line;
+  }();
+  return text;
+}
+
+std::vector<std::pair<std::string, std::string>> protections() {
+  const Limits usual;
+  std::ostringstream limits;
+  limits << "of each run: time, memory " << (usual.memoryBytes >> 20) << " MiB, " << usual.processes
+         << " processes and threads, " << (usual.scratchBytes >> 20) << " MiB of files, "
+         << (usual.outputBytes >> 20) << " MiB of output";
+  return {{"namespaces", "users, files, processes, network, shared memory, host name and control "
+                         "groups of its own for each run; no capabilities, the system read only"},
+          {"system calls", "a seccomp filter that allows a list and refuses all else"},
+          {"limits", limits.str()}};
 }
 
 } // namespace ggrade::sandbox

@@ -119,4 +119,14 @@ struct SelfTest {
 /// Tries the sandbox once, and escapes from it (6 ms).
 SelfTest selfTest();
 
+/// Is bubblewrap's program there?
+bool isInstalled();
+
+/// "bubblewrap 0.8.0"; "bubblewrap" where the program doesn't say. Asked once.
+const std::string& version();
+
+/// What keeps a command away from the machine: "namespaces", "system calls", "limits", each with a
+/// few words, for whoever must know what a class was graded under.
+std::vector<std::pair<std::string, std::string>> protections();
+
 } // namespace ggrade::sandbox

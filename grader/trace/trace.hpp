@@ -60,7 +60,7 @@ struct Trace {
 /// Throws UsageError when the disk is full.
 void save(const Trace& trace, const std::filesystem::path& folder);
 /// Reads them back; copies are read when they are asked for. An empty Trace if there is no
-/// `trace.bin`. Throws UsageError for a file that is cut off.
+/// `trace.bin`. Throws UsageError for a file that is cut off or names what it does not hold.
 Trace load(const std::filesystem::path& folder);
 
 /// "RGBA16F" for GL_RGBA16F, "0x1234" for a number that has no name here. Formats, targets, blend

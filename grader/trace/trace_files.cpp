@@ -2,6 +2,7 @@
 
 #include "assignment/usage_error.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -110,6 +111,46 @@ private:
   std::uint64_t left_ = 0;
 };
 
+bool isWithin(std::uint64_t first, std::uint64_t count, std::uint64_t size) {
+  return first <= size && count <= size - first;
+}
+
+/// Does every record name what is there? Who reads them relies on it.
+bool holdsTogether(const Trace& trace, std::uint64_t pixelBytes) {
+  const auto ends = [](const auto& name) { return std::memchr(name, 0, sizeof name) != nullptr; };
+  return std::ranges::all_of(trace.frames,
+                             [&](const FrameTrace& frame) {
+                               return isWithin(frame.firstPass, frame.passCount,
+                                               trace.passes.size());
+                             }) &&
+         std::ranges::all_of(trace.passes,
+                             [&](const PassRecord& pass) {
+                               return isWithin(pass.firstStep, pass.stepCount, trace.steps.size());
+                             }) &&
+         std::ranges::all_of(
+             trace.steps,
+             [&](const StepRecord& step) {
+               return step.pass < trace.passes.size() &&
+                      isWithin(step.firstMatrix, step.matrixCount, trace.matrices.size()) &&
+                      isWithin(step.firstSample, step.sampleCount, trace.samples.size());
+             }) &&
+         std::ranges::all_of(trace.matrices,
+                             [&](const MatrixRecord& matrix) { return ends(matrix.name); }) &&
+         std::ranges::all_of(trace.samples,
+                             [&](const SampleRecord& sample) {
+                               return ends(sample.uniform) && (sample.writer == kNone ||
+                                                               sample.writer < trace.passes.size());
+                             }) &&
+         std::ranges::all_of(trace.copies, [&](const CopyRecord& copy) {
+           return copy.pass < trace.passes.size() && copy.attachment < kAttachments &&
+                  copy.bytes > 0 && copy.width <= std::uint32_t(Image::kMaxSide) &&
+                  copy.height <= std::uint32_t(Image::kMaxSide) &&
+                  copy.bytes == std::uint64_t{copy.width} * copy.height *
+                                    bytesPerPixel(static_cast<PixelType>(copy.type)) &&
+                  isWithin(copy.offset, copy.bytes, pixelBytes);
+         });
+}
+
 } // namespace
 
 void save(const Trace& trace, const fs::path& folder) {
@@ -154,6 +195,8 @@ Trace load(const fs::path& folder) {
   std::error_code error;
   if (fs::file_size(trace.pixelFile, error) != header.pixelBytes || error)
     throw UsageError(trace.pixelFile.string() + " is cut off");
+  if (!holdsTogether(trace, header.pixelBytes))
+    throw UsageError(path.string() + " is damaged: remove it");
   return trace;
 }
 

@@ -300,6 +300,100 @@ TEST_F(Batch, InstructorsDecisionsSurviveAndAlterNoMachineScore) {
   EXPECT_THAT(tool::read(folder / "student.html"), HasSubstr("&lt;b&gt;Oral&lt;/b&gt; exam"));
 }
 
+/// Uploads of nothing, which are graded in no time.
+void handInNothing(const Class& students, const std::vector<std::string>& names) {
+  for (const char* name : {"student1", "student2", "student3", "student4"})
+    fs::remove_all(students.uploads() / name);
+  for (const std::string& name : names) fs::create_directory(students.uploads() / name);
+}
+
+TEST_F(Batch, WhoLooksLikeAnotherGetsNoGradeAndNeedsAPerson) {
+  Class students;
+  handInNothing(students, {"ada", " ada", "ada\u200B", "\u0430da", "ben"});
+  const std::string sheet = "Identifier,Grade,Maximum grade\nada,7,100\nben,,100\n";
+  const fs::path moodle = students.file("sheet.csv", sheet);
+  const tool::Arguments more = {"--gradebook", "moodle=" + moodle.string()};
+  const tool::Ended ended = students.run(more);
+  EXPECT_EQ(ended.exitCode, 1) << ended.errors;
+  EXPECT_THAT(ended.out, HasSubstr("line 2, ada: 4 uploads claim this row, no grade is written: "));
+  EXPECT_THAT(ended.out, HasSubstr("NEEDS A PERSON \"ada\\u{200B}\": Looks like "));
+  EXPECT_THAT(ended.out,
+              HasSubstr("0 not gradable, 4 look alike and have no grade: mend the cause"));
+  EXPECT_EQ(tool::read(students.out() / "moodle.csv"),
+            "Identifier,Grade,Maximum grade\nada,7,100\nben,0,100\n");
+  const auto rows = gradebook(students.out());
+  EXPECT_EQ(rows.size(), 2U) << "the header and ben";
+  EXPECT_EQ(rows.count("ben"), 1U);
+  const std::string page = tool::read(students.out() / "index.html");
+  EXPECT_THAT(page, HasSubstr("<h2>4 of 5 students need a person</h2>"));
+  for (const char* shown : {"&quot;ada&quot;", "&quot;␣ada&quot;", "&quot;ada\\u{200B}&quot;",
+                            "&quot;\\u{430}da&quot;"})
+    EXPECT_THAT(page, HasSubstr(std::string("<span class=\"chip none\">looks like 3 others</span>"
+                                            "<span class=\"student\">found as ") +
+                                shown));
+
+  const json said = json::parse(students.run({"--resume", "--json"}).out);
+  EXPECT_EQ(said.at("needs_person").size(), 4U);
+  EXPECT_THAT(said.at("protections").at("sandbox"), testing::StartsWith("bubblewrap "));
+  EXPECT_THAT(said.at("protections").at("self-test"), HasSubstr("15 escapes were tried"));
+  EXPECT_EQ(said.at("without_sandbox"), 0);
+
+  // One is left, and what the others had is gone.
+  for (const char* name : {" ada", "ada\u200B", "\u0430da"})
+    fs::remove_all(students.uploads() / name);
+  for (const json& one : said.at("submissions"))
+    if (one.at("student") != "ben")
+      fs::remove_all(students.out() / one.at("folder").get<std::string>());
+  tool::Arguments again = more;
+  again.push_back("--resume");
+  const tool::Ended mended = students.run(again);
+  EXPECT_EQ(mended.exitCode, 0) << mended.out;
+  EXPECT_THAT(tool::read(students.out() / "moodle.csv"), HasSubstr("ada,0,100\nben,0,100\n"));
+  EXPECT_THAT(tool::read(students.out() / "index.html"), HasSubstr("Nobody needs a person"));
+}
+
+TEST_F(Batch, AnArchiveBesideAFolderOfOneStudentIsNotChosen) {
+  Class students;
+  handInNothing(students, {"ada"});
+  std::ofstream(students.uploads() / "ada.zip") << "no archive";
+  const tool::Ended ended = students.run();
+  EXPECT_EQ(ended.exitCode, 1);
+  EXPECT_THAT(ended.out, HasSubstr("NEEDS A PERSON \"ada.zip\": Looks like \"ada\""));
+  EXPECT_EQ(gradebook(students.out()).size(), 1U) << "the header alone";
+  EXPECT_THAT(tool::read(students.out() / "index.html"),
+              HasSubstr("<li>&quot;ada.zip&quot;: ada.zip can&apos;t be read as a zip or tar"));
+}
+
+TEST_F(Batch, OverridesBeyondWhatCanBeGivenCountAndAreMarked) {
+  Class students;
+  handInNothing(students, {"ada", "ben"});
+  fs::create_symlink("/etc/passwd", students.uploads() / "cem");
+  const fs::path overrides = students.file(
+      "decided.csv", "student,item,points,reason,who\nada,mirror.keep_state,50,kept,kim\n"
+                     "ben,,160,extra work,kim\n");
+  const tool::Ended ended = students.run({"--overrides", overrides});
+  EXPECT_EQ(ended.exitCode, 0) << "the instructor's word counts\n" << ended.errors;
+  EXPECT_THAT(ended.out, HasSubstr("decided.csv:2: ada: 50 points are more than the 0 that "
+                                   "mirror.keep_state can give; they count, as they were given"));
+  EXPECT_THAT(ended.out,
+              HasSubstr("NEEDS A PERSON ben: Is this override meant? 160 points are more "
+                        "than the 110 that all items can give (kim); they count."));
+  EXPECT_THAT(ended.out, HasSubstr("refused: cem: a symbolic link is not followed"));
+  EXPECT_EQ(gradebook(students.out()).at("ben").at(9), "160");
+  const json kept = record(students.out() / "ada");
+  EXPECT_EQ(kept.at("adjustments").at(0).at("beyond"),
+            "50 points are more than the 0 that mirror.keep_state can give");
+  EXPECT_EQ(kept.at("row").at("score"), 0) << "the machine's stays";
+  const std::string page = tool::read(students.out() / "index.html");
+  EXPECT_THAT(page, HasSubstr("<h2>2 of 2 students need a person</h2>"));
+  EXPECT_THAT(page, HasSubstr("<span class=\"beyond\">160 points are more than the 110"));
+  EXPECT_THAT(page, HasSubstr("<li>cem: a symbolic link is not followed</li>"));
+  // Taken back, no trace is left.
+  fs::remove(overrides);
+  ASSERT_EQ(students.run({"--resume"}).exitCode, 0);
+  EXPECT_FALSE(record(students.out() / "ada").contains("adjustments"));
+}
+
 TEST_F(Batch, BadInputIsNamedBeforeAnythingIsGraded) {
   Class students;
   const auto error = [&](const tool::Arguments& more) {
@@ -341,6 +435,9 @@ TEST_F(Batch, WithoutASandboxEveryResultSaysSo) {
   EXPECT_EQ(results.at("extra_data").at("sandbox"), "none");
   EXPECT_EQ(results.at("score"), 110) << "100 and the bonus";
   EXPECT_EQ(record(students.out() / "student1").at("sandbox"), "none");
+  const std::string page = tool::read(students.out() / "index.html");
+  EXPECT_THAT(page, HasSubstr("<h2>No sandbox: every program ran as the user who graded"));
+  EXPECT_THAT(page, Not(HasSubstr("bubblewrap")));
 }
 
 } // namespace

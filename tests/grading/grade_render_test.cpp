@@ -8,6 +8,8 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
+
 using namespace tool;
 using nlohmann::json;
 using testing::AllOf;
@@ -364,7 +366,18 @@ TEST(Commands, EveryHelpHasAnExample) {
     EXPECT_THAT(help.out, ContainsRegex("Examples?:?\n  ggrade " + command));
     EXPECT_THAT(all.out, HasSubstr(command));
   }
-  EXPECT_THAT(runTool({"--version"}).out, ContainsRegex("^ggrade [0-9]+\\.[0-9]+\\.[0-9]+\n$"));
+}
+
+TEST(Commands, VersionSaysWhatKeepsSubmissionsAway) {
+  const auto start = std::chrono::steady_clock::now();
+  const Ended version = runTool({"--version"});
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+  EXPECT_EQ(version.exitCode, 0) << version.errors;
+  EXPECT_THAT(version.out,
+              ContainsRegex("^ggrade [0-9]+\\.[0-9]+\\.[0-9]+\nsandbox: bubblewrap [0-9.]+\n"
+                            "self-test: passed, 15 escapes were tried and refused\n$"));
+  EXPECT_LT(passed.count(), 5) << "a hundredth of it on an idle machine";
+  EXPECT_THAT(runTool({"--version", "--lang", "ja"}).out, HasSubstr("自己診断: 合格"));
 }
 
 TEST(Commands, WhatStudentsRunSpeaksJapanese) {

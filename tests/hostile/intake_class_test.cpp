@@ -31,9 +31,9 @@ TEST_P(ClassArchive, OfMoodleIsUnpackedAndItsUploadsToo) {
   ASSERT_EQ(intake.uploads.size(), 2u);
   EXPECT_EQ(intake.uploads[0].folder, "A_B_102");
   EXPECT_EQ(intake.uploads[1].folder, "学生_一_101");
-  EXPECT_THAT(intake.remarks,
-              ElementsAre("A B_102_assignsubmission_onlinetext_: online text, not a file",
-                          "passed over 1 entry: __MACOSX"));
+  EXPECT_THAT(intake.refused,
+              ElementsAre("A B_102_assignsubmission_onlinetext_: online text, not a file"));
+  EXPECT_THAT(intake.remarks, ElementsAre("passed over 1 entry: __MACOSX"));
   EXPECT_EQ(unpack(intake.uploads[1], kWanted, into, GetParam()).problem, "");
   EXPECT_EQ(textOf(into / "floor.cpp"), "one");
 }
@@ -60,7 +60,7 @@ TEST_P(ClassArchive, LinksInItAreNotMade) {
                                     {"student2", "/etc", 0, 3, 0120777},
                                     {"../student3/floor.cpp", ""}}));
   ASSERT_EQ(intake.uploads.size(), 1u);
-  EXPECT_THAT(intake.remarks, ElementsAre("../student3/floor.cpp: leads out of its folder",
+  EXPECT_THAT(intake.refused, ElementsAre("../student3/floor.cpp: leads out of its folder",
                                           "student2: is a symbolic link"));
 }
 

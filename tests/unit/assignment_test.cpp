@@ -144,6 +144,8 @@ TEST_F(AssignmentFile, WithAWrongValueNamesTheFileAndTheFault) {
               names("kind must be gain, keep or bonus, but is \"win\""));
   EXPECT_THAT(problemWith("/parts/0/items/0/points", -1),
               names("turn.angle: points must not be negative"));
+  EXPECT_THAT(problemWith("/parts/0/items/0/points", 1e308),
+              names("turn.angle: points must not be more than a million"));
   EXPECT_THAT(problemWith("/parts/0/items/0/points", "many"), names("must be number"));
   EXPECT_THAT(problemWith("/files", 7), names("must be array"));
   EXPECT_THAT(problemWith("/parts", json::array({json::object()})), names("'id' not found"));

@@ -30,7 +30,8 @@ std::string key(const fs::path& path, const std::string& name = "floor.cpp") {
 
 TEST(BatchJob, SurvivesTheWayToAWorker) {
   batch::Job job;
-  job.upload = {"1234", "学生1", "学生1_1234", {{"/in/\x83\x65.zip", "テ.zip"}}, {"2 attempts"}};
+  job.upload = {"1234",         "学生1", "学生1_1234", {{"/in/\x83\x65.zip", "テ.zip"}},
+                {"2 attempts"}, " 学生1"};
   job.key = "abc";
   const std::string line = batch::toJson(job).dump();
   EXPECT_EQ(line.find('\n'), std::string::npos);
@@ -42,6 +43,7 @@ TEST(BatchJob, SurvivesTheWayToAWorker) {
   EXPECT_EQ(back.upload.sources[0].path.string(), "/in/\x83\x65.zip"); // bytes that aren't UTF-8
   EXPECT_EQ(back.upload.sources[0].name, "テ.zip");
   EXPECT_EQ(back.upload.remarks, std::vector<std::string>{"2 attempts"});
+  EXPECT_EQ(back.upload.given, " 学生1");
   EXPECT_EQ(back.key, "abc");
 }
 

@@ -31,6 +31,8 @@ batch::Record sample(const std::string& folder) {
                       {"mirror.keep", "Kept", results::ItemKind::keep, -2, 10, false}};
   record.row.diagnoses = {{"mirror_upside_down", "Turn it."}};
   record.row.remarks = {"2 attempts"};
+  record.row.refused = {"../x: leads out of its folder"};
+  record.row.given = " 1234";
   record.row.thumbnail = std::string("\x89PNG\0", 5);
   record.row.seconds = 2.5;
   record.target = "mirror";
@@ -66,11 +68,30 @@ TEST(BatchRecord, ComesBackAsItWas) {
   ASSERT_EQ(back->row.diagnoses.size(), 1U);
   EXPECT_EQ(back->row.diagnoses[0].id, "mirror_upside_down");
   EXPECT_EQ(back->row.remarks, kept.row.remarks);
+  EXPECT_EQ(back->row.refused, kept.row.refused);
+  EXPECT_EQ(back->row.given, " 1234");
+  EXPECT_FALSE(back->isAdjusted);
   EXPECT_EQ(back->row.thumbnail, kept.row.thumbnail);
   EXPECT_EQ(back->seed, kept.seed);
   EXPECT_EQ(back->sandbox, "none");
   EXPECT_EQ(back->feedback, "a\nb");
   EXPECT_EQ(back->run, 3U);
+}
+
+TEST(BatchRecord, NamesWhatWasDecidedWithoutCountingItAsTheMachines) {
+  const TemporaryFolder out;
+  fs::create_directory(out.path() / "s1");
+  batch::Record decided = sample("s1");
+  decided.row.adjustments = {{"mirror.keep", -2, 50, "why", "kim", "50 points are more"}};
+  batch::saveRecord(out.path() / "s1", decided);
+  const auto back = batch::loadRecord(out.path() / "s1");
+  ASSERT_TRUE(back);
+  EXPECT_TRUE(back->isAdjusted);
+  EXPECT_TRUE(back->row.adjustments.empty());
+  EXPECT_EQ(back->row.score, 81.5);
+  std::stringstream text;
+  text << std::ifstream(out.path() / "s1/record.json").rdbuf();
+  EXPECT_NE(text.str().find("\"beyond\": \"50 points are more\""), std::string::npos);
 }
 
 TEST(BatchRecord, WhatIsDamagedIsGradedAgain) {

@@ -35,6 +35,8 @@ TEST(BatchState, ComesBackAsItWas) {
   state.draw = {7, grading::Quality::fast};
   state.work = "/tmp/.ggrade-abc";
   state.run = 4;
+  state.selfTest = "15 escapes refused";
+  state.refused = {"link: is a symbolic link"};
   state.before = {{"s1", 80.5}, {"学生", 0}};
   batch::saveState(out.path(), state);
   const auto back = batch::loadState(out.path());
@@ -44,6 +46,8 @@ TEST(BatchState, ComesBackAsItWas) {
   EXPECT_EQ(back->work, state.work);
   EXPECT_EQ(back->run, 4U);
   EXPECT_FALSE(back->isFinished);
+  EXPECT_EQ(back->selfTest, "15 escapes refused");
+  EXPECT_EQ(back->refused, state.refused);
   EXPECT_EQ(back->before, state.before);
 }
 

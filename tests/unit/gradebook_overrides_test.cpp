@@ -23,7 +23,10 @@ Overrides apply(const std::vector<MachineScore>& scores, const std::string& line
 }
 
 MachineScore machine() {
-  return {"1234", 14.4, {{"mirror.shading", 4.44, 10}, {"mirror.clip", 10, 10}, {"keep", 0, 5}}};
+  return {"1234",
+          14.4,
+          {{"mirror.shading", 4.44, 0, 10}, {"mirror.clip", 10, 0, 10}, {"keep", 0, -5, 0}},
+          25};
 }
 
 TEST(ReadOverrides, ReadsEveryLine) {
@@ -57,6 +60,8 @@ TEST(ReadOverrides, NamesTheLineAndTheRemedy) {
   EXPECT_THAT(fault("1,i,nan,r,w"), says("2: points is \"nan\""));
   EXPECT_THAT(fault("1,i,inf,r,w"), says("2: points is \"inf\""));
   EXPECT_THAT(fault("1,i,,r,w"), says("2: points is \"\""));
+  EXPECT_THAT(fault("1,i,-1000001,r,w"),
+              says("2: points is \"-1000001\": no item and no total has so many"));
   EXPECT_THAT(fault("\"1\",i,\"7,5\",r,w"), says("2: points is \"7,5\""));
   EXPECT_THAT(fault("1,i,7,5,r,w"),
               says("2: 6 cells, but the header has 5: put cells with a \",\""));
@@ -117,18 +122,44 @@ TEST(ApplyOverrides, GivesATotalToWhatWasNotGradable) {
   EXPECT_EQ(apply({{"1234"}}, "").scores[0].score, std::nullopt);
 }
 
+TEST(ApplyOverrides, PointsBeyondWhatAnItemCanGiveCountAndAreMarked) {
+  const auto only = [](const std::string& line) {
+    const Overrides applied = apply({machine()}, "1234," + line + ",r,w\n");
+    EXPECT_THAT(applied.scores[0].changes, SizeIs(1));
+    return std::pair(*applied.scores[0].score, applied.scores[0].changes[0].beyond);
+  };
+  EXPECT_EQ(only("keep,5"),
+            std::pair(19.4, std::string("5 points are more than the 0 that keep can give")))
+      << "a sign that was forgotten";
+  EXPECT_EQ(only("keep,-5"), std::pair(9.4, std::string()));
+  EXPECT_EQ(only("keep,-5.5"),
+            std::pair(8.9, std::string("-5.5 points are less than the -5 that keep can come to")));
+  EXPECT_EQ(only("mirror.clip,-1").second,
+            "-1 points are less than the 0 that mirror.clip can come to");
+  EXPECT_EQ(only("mirror.clip,10").second, "");
+  EXPECT_EQ(only(",25"), std::pair(25.0, std::string()));
+  EXPECT_EQ(
+      only(",160"),
+      std::pair(160.0, std::string("160 points are more than the 25 that all items can give")));
+  EXPECT_THAT(apply({machine()}, "1234,,160,r,w\n").remarks,
+              ElementsAre("overrides.csv:2: 1234: 160 points are more than the 25 that all items "
+                          "can give; they count, as they were given"));
+}
+
 TEST(ApplyOverrides, SaysInWordsWhatItCannotApply) {
   const Overrides applied = apply({machine(), {"7", 1.0}, {"Participant 7", 1.0}},
                                   "99,,1,r,w\n1234,mirror.shadow,1,r,w\n1234,mirror.clip,11,r,w\n"
                                   "7,,5,r,w\n");
   EXPECT_EQ(applied.scores[0].score, 15.4);
   EXPECT_EQ(applied.scores[1].score, 1);
-  EXPECT_THAT(applied.remarks,
-              ElementsAre("overrides.csv:2: no submission has \"99\" as student",
-                          "overrides.csv:3: there is no item \"mirror.shadow\"; there are "
-                          "mirror.shading, mirror.clip, keep",
-                          "overrides.csv:4: 11 points are more than the 10 of mirror.clip",
-                          "overrides.csv:5: more than one submission has \"7\" as student"));
+  EXPECT_THAT(
+      applied.remarks,
+      ElementsAre("overrides.csv:2: no submission has \"99\" as student",
+                  "overrides.csv:3: there is no item \"mirror.shadow\"; there are "
+                  "mirror.shading, mirror.clip, keep",
+                  "overrides.csv:4: 1234: 11 points are more than the 10 that mirror.clip can "
+                  "give; they count, as they were given",
+                  "overrides.csv:5: more than one submission has \"7\" as student"));
 }
 
 } // namespace

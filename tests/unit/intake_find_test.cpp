@@ -65,10 +65,26 @@ TEST_F(FindPlain, KeepsUploadsOfOneNameApart) {
   folder.write("ada/floor.cpp", "");
   const Intake intake = find();
   EXPECT_THAT(folders(intake), ElementsAre("ada", "ada_zip"));
-  EXPECT_EQ(intake.uploads[1].student, "ada.zip");
+  for (const Upload& upload : intake.uploads) EXPECT_EQ(upload.student, "ada") << "not ours to say";
+  EXPECT_EQ(intake.uploads[0].name, "ada");
+  EXPECT_EQ(intake.uploads[1].name, "ada.zip");
   EXPECT_THAT(intake.remarks,
               ElementsAre("ada.zip: graded under its whole name, since 2 uploads are called ada",
                           "ada: graded under its whole name, since 2 uploads are called ada"));
+}
+
+TEST_F(FindPlain, KeepsWhatCannotBeSeenInANameBesideWhatIsShown) {
+  folder.write(" ada/floor.cpp", "");
+  folder.write("ada\u200B/floor.cpp", "");
+  folder.write("ada\u202E/floor.cpp", "");
+  const Intake intake = find();
+  std::vector<std::string> given, students;
+  for (const Upload& upload : intake.uploads) {
+    given.push_back(upload.given);
+    students.push_back(upload.student);
+  }
+  EXPECT_THAT(given, testing::UnorderedElementsAre(" ada", "ada\u200B", "ada\u202E"));
+  EXPECT_THAT(students, testing::UnorderedElementsAre("ada", "ada\u200B", "ada"));
 }
 
 TEST_F(FindPlain, FoldersAreUniqueAlsoWhereCaseIsIgnored) {
@@ -110,8 +126,8 @@ TEST_F(FindPlain, SaysWhatItPassesOver) {
   const Intake intake = find();
   EXPECT_THAT(folders(intake), ElementsAre("student1"));
   EXPECT_THAT(intake.remarks, ElementsAre(".DS_Store: passed over, no student's",
-                                          "__MACOSX: passed over, no student's",
-                                          "student2: a symbolic link is not followed",
+                                          "__MACOSX: passed over, no student's"));
+  EXPECT_THAT(intake.refused, ElementsAre("student2: a symbolic link is not followed",
                                           "student3: a symbolic link is not followed",
                                           "student4: neither a file nor a folder"));
 }
@@ -147,9 +163,10 @@ TEST_F(FindMoodle, ReadsFoldersInBothSpellings) {
   EXPECT_EQ(intake.uploads[1].name, "Hanako Yamada");
   EXPECT_EQ(intake.uploads[2].student, "readme");
   EXPECT_EQ(intake.uploads[3].name, "学生 二");
+  EXPECT_THAT(intake.refused,
+              ElementsAre("A B_103_assignsubmission_onlinetext_: online text, not a file"));
   EXPECT_THAT(intake.remarks,
-              ElementsAre("A B_103_assignsubmission_onlinetext_: online text, not a file",
-                          "readme.txt: not a name of Moodle's, graded under its own"));
+              ElementsAre("readme.txt: not a name of Moodle's, graded under its own"));
 }
 
 /// A student chose it: that must not make the others vanish.

@@ -132,10 +132,12 @@ ClassPage wholeClass(std::size_t students) {
       page.changes.push_back({row.name, row.folder, row.score + (i % 58 ? 6 : -8), row.score});
     page.rows.push_back(std::move(row));
   }
-  page.remarks = {"__MACOSX: passed over, it is no submission",
-                  "student7.lnk: passed over, it is a link"};
+  page.remarks = {"__MACOSX: passed over, it is no submission"};
+  page.refused = {"student7.lnk: a symbolic link is not followed"};
+  page.selfTested = true;
+  page.protections = {{"sandbox", "bubblewrap 0.8.0"},
+                      {"system calls", "a seccomp filter that allows a list and refuses all else"}};
   page.facts = {{"seed", "8131"},
-                {"sandbox", "bwrap"},
                 {"ggrade", "0.1.0"},
                 {"late rule", "10% per day, at most 50%, 15 min grace"}};
   return page;

@@ -58,7 +58,8 @@ TEST(ClassPage, HasARowWithScoreReasonAndBothLinks) {
   EXPECT_THAT(table, HasSubstr("<a href=\"a%20b/index.html\"><bdi class=\"key\">学生1</bdi></a>"));
   EXPECT_THAT(table, HasSubstr("<span class=\"student\">1234</span>"));
   EXPECT_THAT(table, HasSubstr("href=\"a%20b/student.html\" aria-label=\"Student's page of"));
-  EXPECT_THAT(table, HasSubstr("<tr class=\"part\" data-outcome=\"graded\" data-bin=\"6\">"));
+  EXPECT_THAT(table,
+              HasSubstr("<tr id=\"row-1\" class=\"part\" data-outcome=\"graded\" data-bin=\"6\">"));
   EXPECT_THAT(table, HasSubstr("data-value=\"61.5\"><span class=\"points\"><b>61.5</b>"));
   EXPECT_THAT(table, HasSubstr("1 of 3 items lost points."));
   EXPECT_THAT(table, HasSubstr("Look at glFrontFace."));
@@ -101,7 +102,8 @@ TEST(ClassPage, SaysTheFiguresAndWhoIsLeftOut) {
                         "figures."));
   EXPECT_THAT(page, HasSubstr("3 lost points</li>"));
   EXPECT_THAT(page, HasSubstr("1 not gradable</li>"));
-  EXPECT_THAT(page, HasSubstr("<tr class=\"unjudged\" data-outcome=\"not_gradable\">"));
+  EXPECT_THAT(page,
+              HasSubstr("<tr id=\"row-4\" class=\"unjudged\" data-outcome=\"not_gradable\">"));
   EXPECT_THAT(page, HasSubstr("<td class=\"score number\">no score</td>"));
 }
 
@@ -148,6 +150,87 @@ TEST(ClassPage, ManyRisesAreFoldedAwayDropsNever) {
   const std::string changes = section(classPage(page), "changes");
   EXPECT_THAT(changes, HasSubstr("<details class=\"quiet\" open>\n<summary>20 scores dropped"));
   EXPECT_THAT(changes, HasSubstr("<details class=\"quiet\">\n<summary>20 scores rose"));
+}
+
+TEST(ClassPage, BeginsWithWhoNeedsAPersonAndWhy) {
+  ClassRow ours = samples::student("student1"), alike = samples::student("ada");
+  ours.outcome = results::Outcome::notGradable;
+  ours.reason = "the sandbox could not start";
+  alike.lookAlikes = {"\"ada\\u{200B}\""};
+  alike.quoted = "\"␣ada\"";
+  ClassRow given = samples::student("student3", 160);
+  given.adjustments = {{"mirror.keep", 0, 50, "kept", "kim",
+                        "50 points are more than the 0 that "
+                        "mirror.keep can give"}};
+  const std::string page =
+      body(classPage(pageOf({ours, samples::student("student2"), alike, given})));
+  const std::string first = page.substr(0, page.find("<main>"));
+  EXPECT_THAT(first, HasSubstr("<h2>3 of 4 students need a person</h2>"));
+  EXPECT_THAT(first,
+              HasSubstr("<li><a href=\"#row-1\"><bdi>student1</bdi></a><div><p>Not gradable, "
+                        "our fault: the sandbox could not start</p></div></li>"));
+  EXPECT_THAT(
+      first,
+      HasSubstr("<a href=\"#row-3\"><bdi>&quot;␣ada&quot;</bdi></a><div><p>Looks like "
+                "&quot;ada\\u{200B}&quot;: which one counts? No gradebook has a grade of theirs."));
+  EXPECT_THAT(first, HasSubstr("<a href=\"#row-4\"><bdi>student3</bdi></a><div><p>Is this override "
+                               "meant? 50 points are more than the 0 that mirror.keep can give "
+                               "(kim); they count.</p>"));
+  EXPECT_THAT(first, Not(HasSubstr("#row-2")));
+  EXPECT_THAT(first, HasSubstr("look alike leave one, remove the folders of all of them here"));
+  const std::string table = section(page, "students");
+  EXPECT_THAT(table, HasSubstr("<tr id=\"row-3\""));
+  EXPECT_THAT(table, HasSubstr("<span class=\"chip none\">looks like another</span><span "
+                               "class=\"student\">found as &quot;␣ada&quot;</span>"));
+  EXPECT_EQ(count(table, "class=\"chip none\">looks like"), 1u);
+  EXPECT_THAT(table, HasSubstr("<span class=\"beyond\">50 points are more than the 0 that "
+                               "mirror.keep can give</span>"));
+  EXPECT_THAT(body(classPage(pageOf({samples::student("student1")}))),
+              HasSubstr("<h2>Nobody needs a person</h2>"));
+}
+
+TEST(ClassPage, ATotalThatAPersonGaveNeedsNoOtherPerson) {
+  ClassRow ours = samples::student("student1", 50);
+  ours.outcome = results::Outcome::notGradable;
+  ours.adjustments = {{"", 0, 50, "shown in the exercise", "kim"}};
+  EXPECT_THAT(classPage(pageOf({ours})), HasSubstr("Nobody needs a person"));
+}
+
+TEST(ClassPage, SaysWhatWasRefused) {
+  ClassPage page = pageOf({samples::student("student1")});
+  page.refused = {"link: a symbolic link is not followed"};
+  page.rows[0].refused = {"../x.cpp: leads out of its folder"};
+  const std::string html = classPage(page);
+  EXPECT_THAT(html, HasSubstr("<h2>2 files or uploads refused</h2>"));
+  EXPECT_THAT(html, HasSubstr("<details open><summary>which, and why</summary><ul><li>link: a "
+                              "symbolic link is not followed</li><li>student1: ../x.cpp: leads out "
+                              "of its folder</li></ul>"));
+  page.refused.assign(13, "link: a symbolic link is not followed");
+  EXPECT_THAT(classPage(page), HasSubstr("<details><summary>which, and why"));
+  EXPECT_THAT(classPage(pageOf({samples::student("student1")})),
+              HasSubstr("<h2>Nothing was refused</h2>"));
+}
+
+TEST(ClassPage, SaysWhichSandboxOrThatThereWasNone) {
+  ClassPage page = pageOf({samples::student("student1"), samples::student("student2")});
+  page.protections = {{"sandbox", "bubblewrap 0.8.0"}, {"self-test", "15 escapes refused"}};
+  const std::string html = body(classPage(page));
+  EXPECT_THAT(html, HasSubstr("<h2>Programs ran in a sandbox: bubblewrap 0.8.0</h2>"));
+  EXPECT_THAT(html, HasSubstr("<dt>self-test</dt><dd class=\"number\">15 escapes refused</dd>"));
+  EXPECT_THAT(html, HasSubstr("limits; no self-test in this run</summary>"));
+  EXPECT_THAT(html, Not(HasSubstr("No sandbox")));
+  page.selfTested = true;
+  EXPECT_THAT(body(classPage(page)), HasSubstr("limits; self-test passed</summary>"));
+  page.unprotected = 1;
+  EXPECT_THAT(body(classPage(page)),
+              HasSubstr("<div class=\"card danger\">\n    <h2>No sandbox: the programs of 1 of 2 "
+                        "students ran as the user who graded"));
+  page.unprotected = 2;
+  page.protections.clear();
+  const std::string without = body(classPage(page));
+  EXPECT_THAT(without,
+              HasSubstr("<h2>No sandbox: every program ran as the user who graded, with "));
+  EXPECT_THAT(without, Not(HasSubstr("in a sandbox")));
 }
 
 TEST(ClassPage, WithoutChangesOrRemarksThereAreNoSuchSections) {

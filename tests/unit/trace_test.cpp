@@ -11,6 +11,7 @@
 
 #include <bit>
 #include <cmath>
+#include <functional>
 
 namespace ggrade::trace {
 namespace {
@@ -137,6 +138,38 @@ TEST(Trace, AFileThatIsCutOffIsRefusedByName) {
   EXPECT_EQ(message(), copies.string() + " is cut off");
   folder.write("trace.bin", std::string(4096, 'x'));
   EXPECT_THAT(message(), HasSubstr("trace.bin was written by another version of this tool"));
+}
+
+TEST(Trace, AFileThatNamesWhatItDoesNotHoldIsRefused) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const std::function<void(Trace&)>& damage) {
+    Trace trace = mirror();
+    damage(trace);
+    save(trace, folder.path());
+    return messageOf<UsageError>([&] { load(folder.path()); });
+  };
+  const std::string why = (folder.path() / "trace.bin").string() + " is damaged: remove it";
+  EXPECT_EQ(refused([](Trace& trace) { trace.frames[0].passCount = 3; }), why);
+  EXPECT_EQ(refused([](Trace& trace) { trace.passes[1].firstStep = 2; }), why);
+  EXPECT_EQ(refused([](Trace& trace) { trace.steps[0].pass = 2; }), why);
+  EXPECT_EQ(refused([](Trace& trace) { trace.steps[0].firstMatrix = 0xFFFFFFFF; }), why);
+  EXPECT_EQ(refused([](Trace& trace) { trace.steps[1].sampleCount = 2; }), why);
+  EXPECT_EQ(refused([](Trace& trace) { trace.samples[0].writer = 2; }), why);
+  EXPECT_EQ(refused([](Trace& trace) {
+              std::memset(trace.matrices[0].name, 'x', sizeof trace.matrices[0].name);
+            }),
+            why);
+  EXPECT_EQ(refused([](Trace& trace) { trace.copies[0].pass = 2; }), why);
+  EXPECT_EQ(refused([](Trace& trace) { trace.copies[0].width = 3; }), why);
+  EXPECT_EQ(refused([](Trace& trace) { trace.copies[0].type = 99; }), why);
+  EXPECT_EQ(refused([](Trace& trace) { trace.copies[1].offset += 1; }), why);
+  EXPECT_EQ(refused([](Trace& trace) { // so many pixels that their bytes are few again
+              trace.copies[0].width = trace.copies[0].height = 0x80000000;
+              trace.copies[0].bytes = 0;
+            }),
+            why);
+  save(mirror(), folder.path());
+  EXPECT_EQ(load(folder.path()).passes.size(), 2u);
 }
 
 TEST(Trace, CopiesThatVanishAreNamed) {

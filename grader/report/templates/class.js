@@ -74,6 +74,13 @@
       apply();
       find.focus(); // the button is gone
     });
+    // A row that is hidden can't be gone to.
+    for (const link of document.querySelectorAll(".needs a"))
+      link.addEventListener("click", () => {
+        controls.reset();
+        bin = undefined;
+        apply();
+      });
     for (const link of bins)
       link.addEventListener("click", (event) => {
         if (bin === link) event.preventDefault(); // given up: no need to go to the table
