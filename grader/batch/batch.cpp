@@ -47,6 +47,7 @@ void keepShard(std::vector<intake::Upload>& uploads, const Shard& shard) {
 /// and nobody said what to do with it.
 State open(const Target& target, const BatchOptions& options) {
   std::optional<State> found = loadState(options.out);
+  sweep(options.out, found);
   if (!found) {
     for (const fs::directory_entry& entry : fs::directory_iterator(options.out))
       if (const std::string name = entry.path().filename().string();
@@ -58,7 +59,6 @@ State open(const Target& target, const BatchOptions& options) {
     return fresh;
   }
   State state = *found;
-  sweep(options.out, state);
   if (state.target != target.id)
     throw UsageError(fmt::format("{} holds results of {}: name another folder with --out",
                                  options.out.string(), state.target));
@@ -100,8 +100,7 @@ std::vector<report::ScoreChange> changesSince(const State& state, const fs::path
 Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
                    const BatchOptions& options, const grading::Progress& preparing,
                    const std::function<void(const Step&)>& step) {
-  std::error_code error;
-  fs::create_directories(options.out, error);
+  makeClassFolder(options.out);
   const Lock lock(options.out);
   State state = open(target, options);
   grading::TemporaryFolder work;

@@ -24,6 +24,7 @@ struct PageNotes {
   std::string title, intro;
   std::vector<report::ScoreChange> changes;
   std::vector<std::string> remarks;
+  std::vector<std::string> missing; ///< results that have no row; Books::write finds them
   std::vector<std::pair<std::string, std::string>> facts;
 };
 

@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -49,9 +50,12 @@ struct Process {
 /// Starts a worker; its standard error is ours.
 Process start(const PoolOptions& options) {
   int jobs[2], answers[2];
-  if (pipe2(jobs, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for a worker");
+  const auto refuse = [](int error) {
+    throw std::system_error(error, std::generic_category(), "a worker can't be started");
+  };
+  if (pipe2(jobs, O_CLOEXEC) != 0) refuse(errno);
   Descriptor jobsRead(jobs[0]), jobsWrite(jobs[1]);
-  if (pipe2(answers, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for a worker");
+  if (pipe2(answers, O_CLOEXEC) != 0) refuse(errno);
   Descriptor answersRead(answers[0]), answersWrite(answers[1]);
   std::vector<std::string> words = options.worker, variables;
   std::vector<char*> argv, environment;
@@ -70,8 +74,7 @@ Process start(const PoolOptions& options) {
   const int error = posix_spawn(&process.pid, options.program.c_str(), &actions, nullptr,
                                 argv.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
-  if (error)
-    throw std::runtime_error(fmt::format("a worker can't be started: {}", std::strerror(error)));
+  if (error) refuse(error);
   process.to = std::move(jobsWrite);
   process.from = std::move(answersRead);
   return process;
@@ -112,11 +115,13 @@ private:
     process.job = job;
     process.since = Clock::now();
     const std::string line = toJson(jobs_[job]).dump() + '\n';
-    // A worker that is gone shows as the end of its answers.
     for (std::size_t done = 0; done < line.size();) {
       const ssize_t count = write(process.to.get(), line.data() + done, line.size() - done);
       if (count < 0 && errno == EINTR && !grading::interrupted) continue;
-      if (count <= 0) return;
+      if (count <= 0) {
+        kill(process.pid, SIGKILL); // it would wait forever; now its answers end
+        return;
+      }
       done += std::size_t(count);
     }
   }

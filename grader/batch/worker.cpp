@@ -61,29 +61,34 @@ private:
   const std::string key_; ///< see graderOf
 };
 
-/// A worker whose parent was killed must not go on beside the next run's.
+} // namespace
+
 void endWithParent() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() == 1) _exit(1);
 }
 
-} // namespace
+void answerJobs(const std::function<Reply(const Job&)>& grade) {
+  std::cout << "ready" << std::endl;
+  for (std::string line; std::getline(std::cin, line);) {
+    Reply reply;
+    try {
+      reply = grade(jobFrom(json::parse(line)));
+    } catch (const std::exception& error) {
+      reply.problem = report::sanitizeLine(error.what());
+      if (reply.problem.empty()) reply.problem = "an error without words";
+    }
+    // Whoever waits for an answer that can't be given sees the end of this process instead.
+    if (!(std::cout << toJson(reply).dump() << std::endl))
+      throw std::runtime_error("a worker can't answer");
+  }
+}
 
 void work(const Target& target, const fs::path& solutionFolder, const WorkerOptions& options) {
   endWithParent();
   keepFreedMemory();
   Worker worker(target, solutionFolder, options);
-  std::cout << "ready" << std::endl;
-  for (std::string line; std::getline(std::cin, line);) {
-    Reply reply;
-    try {
-      reply = worker.grade(jobFrom(json::parse(line)));
-    } catch (const std::exception& error) {
-      reply.problem = report::sanitizeLine(error.what());
-      if (reply.problem.empty()) reply.problem = "an error without words";
-    }
-    std::cout << toJson(reply).dump() << std::endl;
-  }
+  answerJobs([&](const Job& job) { return worker.grade(job); });
 }
 
 } // namespace ggrade::batch

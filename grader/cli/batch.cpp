@@ -26,7 +26,7 @@ void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes&
   std::size_t notGradable = 0;
   for (const report::ClassRow& row : rows)
     notGradable += row.outcome == results::Outcome::notGradable;
-  if (notGradable || !outcome.unfinished.empty()) exitCode = kNotGradable;
+  if (notGradable || !outcome.unfinished.empty() || !notes.missing.empty()) exitCode = kNotGradable;
   if (asJson) {
     nlohmann::json list = nlohmann::json::array(), changes = nlohmann::json::array();
     for (const report::ClassRow& row : rows)
