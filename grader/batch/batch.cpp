@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <system_error>
 
 namespace ggrade::batch {
 
@@ -121,7 +122,11 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   std::size_t otherGrader = 0;
   for (intake::Upload& upload : intake.uploads) {
     Job job{std::move(upload), {}};
-    job.key = keyOf(job.upload);
+    try {
+      job.key = keyOf(job.upload);
+    } catch (const std::system_error&) {
+      // Its own row says why, if it can't be read then, either; the others are graded.
+    }
     const auto record = loadRecord(options.out / job.upload.folder);
     const bool holds = record && record->upload == job.key && record->grader == grader &&
                        record->row.outcome != results::Outcome::notGradable &&
@@ -181,6 +186,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   outcome.changes = changesSince(state, options.out);
   state.isFinished = outcome.unfinished.empty();
   state.work.clear();
+  sweep(options.out, state); // of workers that died
   saveState(options.out, state);
   return outcome;
 }

@@ -11,7 +11,7 @@ namespace ggrade::batch {
 
 struct Job {
   intake::Upload upload;
-  std::string key; ///< hash of what was handed in
+  std::string key; ///< hash of what was handed in; empty: whoever grades it works it out
 };
 
 nlohmann::json toJson(const Job& job);
@@ -29,7 +29,8 @@ nlohmann::json toJson(const Reply& reply);
 /// Throws nlohmann::json::exception.
 Reply replyFrom(const nlohmann::json& line);
 
-/// A hash of everything that an upload holds, read as far as an upload is ever read.
+/// A hash of everything that an upload holds, read as far as an upload is ever read. Throws
+/// std::system_error where the machine can't read it.
 std::string keyOf(const intake::Upload& upload);
 
 /// A hash of all else that a result depends on: the tool, the points, the solution, the scenes, and

@@ -43,8 +43,8 @@ struct Process {
   Descriptor to, from;
   std::string received;
   std::optional<std::size_t> job;
-  Clock::time_point since;
-  bool isReady = false; ///< it has said so, its first line
+  Clock::time_point since = Clock::now(); ///< of its job, or its start
+  bool isReady = false;                   ///< it has said so, its first line
 };
 
 /// Starts a worker; its standard error is ours.
@@ -137,7 +137,7 @@ private:
       const ssize_t count = read(process.from.get(), block, sizeof block);
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0 || process.received.size() > kLongestAnswer) {
-        bury(i, {});
+        bury(i, count < 0 ? fmt::format("a worker can't be heard: {}", std::strerror(errno)) : "");
         continue;
       }
       process.received.append(block, std::size_t(count));
@@ -168,7 +168,7 @@ private:
 
   void endTheStuck() {
     for (std::size_t i = processes_.size(); i-- > 0;)
-      if (processes_[i].job &&
+      if ((processes_[i].job || !processes_[i].isReady) &&
           Clock::now() - processes_[i].since > std::chrono::duration<double>(options_.seconds))
         bury(i, fmt::format("the grader itself was stuck for {:.0f} s", options_.seconds));
   }
@@ -187,7 +187,9 @@ private:
       why = WIFSIGNALED(status)
                 ? fmt::format("the grader's own process died of signal {}", WTERMSIG(status))
                 : fmt::format("the grader's own process ended with code {}", WEXITSTATUS(status));
-    if (!process.isReady) throw std::runtime_error(why + " before it could grade anything");
+    if (!process.isReady)
+      throw std::runtime_error(
+          why + " before it could grade anything. Mend that, then run the command again");
     Reply reply;
     reply.problem = why;
     finish(process, reply);

@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <system_error>
 
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -69,18 +71,23 @@ void endWithParent() {
 }
 
 void answerJobs(const std::function<Reply(const Job&)>& grade) {
-  std::cout << "ready" << std::endl;
+  // Whoever waits for a line that can't be written sees the end of this process instead.
+  const auto answer = [](const std::string& line) {
+    if (!(std::cout << line << std::endl))
+      throw std::system_error(errno, std::generic_category(), "a worker can't answer");
+  };
+  answer("ready");
   for (std::string line; std::getline(std::cin, line);) {
     Reply reply;
     try {
-      reply = grade(jobFrom(json::parse(line)));
+      Job job = jobFrom(json::parse(line));
+      if (job.key.empty()) job.key = keyOf(job.upload);
+      reply = grade(job);
     } catch (const std::exception& error) {
       reply.problem = report::sanitizeLine(error.what());
       if (reply.problem.empty()) reply.problem = "an error without words";
     }
-    // Whoever waits for an answer that can't be given sees the end of this process instead.
-    if (!(std::cout << toJson(reply).dump() << std::endl))
-      throw std::runtime_error("a worker can't answer");
+    answer(toJson(reply).dump());
   }
 }
 

@@ -67,7 +67,7 @@ results::Frame compareFrames(const Image& student, const ReferencePictures::Fram
 }
 
 /// What the copies of a submission's passes may take on disk: of all scenes and of what is drawn
-/// again together. The largest reference takes a third of it (see docs/security.md).
+/// again together. Five times what the largest reference takes (160 MB, all of `deferred`).
 constexpr std::uint64_t kCopyBytes = std::uint64_t{768} << 20;
 
 /// Shares that out. A scene gets what the reference needs there, times the same for all, so that no
