@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <regex>
 
 #include <sys/mount.h>
@@ -72,6 +73,29 @@ TEST_P(FullDisk, CostsNoPoints) {
   }
   EXPECT_GE(right, 1U);
   EXPECT_LE(right, 4U) << "the disk was never full";
+}
+
+TEST_P(FullDisk, ThatFillsUpAtAnyStepCostsNone) {
+  const fs::path small = folder_.path() / "small";
+  fs::create_directory(small);
+  std::size_t right = 0;
+  for (const char* step : {"building", "rendering", "judging"}) {
+    SCOPED_TRACE(step);
+    if (mount("tmpfs", small.c_str(), "tmpfs", 0, "size=64m") != 0)
+      GTEST_SKIP() << "only root can make a disk that is full";
+    const fs::path out = folder_.path() / step;
+    tool::Running running(
+        tool::words({"grade", "mirror", submission_.path(), "--no-diagnosis", "--out", out}),
+        {{"TMPDIR", small}});
+    EXPECT_TRUE(running.says(std::string("grading submission: ") + step, 60));
+    std::ofstream(small / "filler") << std::string(64 << 20, 'f') << std::flush;
+    const tool::Ended ended = running.wait(100);
+    fs::remove(small / "filler");
+    EXPECT_TRUE(fs::is_empty(small)) << "something is left";
+    umount(small.c_str());
+    expectRightOrNone(ended, out, points_, right);
+  }
+  EXPECT_LE(right, 1U) << "the disk was full too late";
 }
 
 TEST_P(FullDisk, NorDoDescriptorsThatAreUsedUp) {
