@@ -100,7 +100,7 @@ std::vector<int> errorsOf(Call call) {
 
 std::string Fault::text() const {
   return std::string(name(role)) + ": " + name(call) + ' ' + std::to_string(number) + ": " +
-         errorName(error);
+         errorName(error) + (lasts ? " from then on" : "");
 }
 
 void beginHere() {
@@ -176,8 +176,10 @@ private:
     if (role == roles_.end() || !begun_.contains(pid)) return;
     const Call kind = kNumbers.at(number);
     const std::size_t count = ++ended_.counts[{role->second, kind}];
-    if (!fault_ || ended_.struck || fault_->role != role->second || fault_->call != kind ||
-        fault_->number != count)
+    if (!fault_ || fault_->role != role->second || fault_->call != kind) return;
+    const bool isStandard = kind == Call::write && registers.rdi <= 2;
+    if (fault_->lasts ? count < fault_->number || isStandard
+                      : count != fault_->number || ended_.struck)
       return;
     ended_.struck = true;
     if (fault_->error == kKilled) {

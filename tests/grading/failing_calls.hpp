@@ -28,13 +28,16 @@ std::vector<int> errorsOf(Call call);
 inline constexpr int kKilled = 0;
 
 /// The call `number` (from 1) of `role` fails with `error`, or the process is killed there.
+/// `lasts`: so does every later one, but for those on standard input, output and error, as on a
+/// disk that stays full.
 struct Fault {
   Role role = Role::parent;
   Call call = Call::open;
   std::size_t number = 1;
   int error = kKilled;
+  bool lasts = false;
 
-  std::string text() const; ///< "parent: open 12: ENOSPC"
+  std::string text() const; ///< "parent: open 12: ENOSPC", "... ENOSPC from then on"
 };
 
 struct Ended {
