@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <fstream>
 #include <map>
 #include <set>
+#include <system_error>
 
 namespace ggrade {
 
@@ -124,10 +126,16 @@ std::string readFile(const fs::path& path) {
   std::error_code error;
   const auto size = fs::file_size(path, error);
   std::string text(error ? 0 : size, '\0');
+  errno = 0;
   std::ifstream in(path, std::ios::binary);
-  if (error || !in.read(text.data(), std::streamsize(text.size())))
-    throw UsageError(gg::say("can't read {}", path.string()));
-  return text;
+  if (!error && in.read(text.data(), std::streamsize(text.size()))) return text;
+  if (!error) error.assign(errno ? errno : EIO, std::generic_category());
+  const std::string what = gg::say("can't read {}", path.string());
+  // A name or a right that somebody can mend; all else is the machine's fault.
+  for (const std::errc mistake : {std::errc::no_such_file_or_directory, std::errc::not_a_directory,
+                                  std::errc::is_a_directory, std::errc::permission_denied})
+    if (error == mistake) throw UsageError(what + ": " + error.message());
+  throw std::system_error(error, what);
 }
 
 json readJson(const fs::path& path) {
@@ -215,8 +223,8 @@ std::vector<std::string> Assignment::dataFiles() const {
 
 std::vector<Assignment> loadAssignments(const fs::path& folder) {
   std::vector<Assignment> all;
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none))
+  if (!fs::exists(folder)) return all;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (fs::exists(entry.path() / "assignment.json")) all.push_back(Assignment::load(entry.path()));
   std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.id < b.id; });
   requireDifferentTargets(all);

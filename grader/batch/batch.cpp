@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <set>
+#include <system_error>
 
 namespace ggrade::batch {
 
@@ -47,6 +48,7 @@ void keepShard(std::vector<intake::Upload>& uploads, const Shard& shard) {
 /// and nobody said what to do with it.
 State open(const Target& target, const BatchOptions& options) {
   std::optional<State> found = loadState(options.out);
+  sweep(options.out, found);
   if (!found) {
     for (const fs::directory_entry& entry : fs::directory_iterator(options.out))
       if (const std::string name = entry.path().filename().string();
@@ -58,7 +60,6 @@ State open(const Target& target, const BatchOptions& options) {
     return fresh;
   }
   State state = *found;
-  sweep(options.out, state);
   if (state.target != target.id)
     throw UsageError(fmt::format("{} holds results of {}: name another folder with --out",
                                  options.out.string(), state.target));
@@ -100,8 +101,7 @@ std::vector<report::ScoreChange> changesSince(const State& state, const fs::path
 Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
                    const BatchOptions& options, const grading::Progress& preparing,
                    const std::function<void(const Step&)>& step) {
-  std::error_code error;
-  fs::create_directories(options.out, error);
+  makeClassFolder(options.out);
   const Lock lock(options.out);
   State state = open(target, options);
   grading::TemporaryFolder work;
@@ -124,7 +124,11 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   std::size_t otherGrader = 0;
   for (intake::Upload& upload : intake.uploads) {
     Job job{std::move(upload), {}};
-    job.key = keyOf(job.upload);
+    try {
+      job.key = keyOf(job.upload);
+    } catch (const std::system_error&) {
+      // Its own row says why, if it can't be read then, either; the others are graded.
+    }
     const auto record = loadRecord(options.out / job.upload.folder);
     const bool holds = record && record->upload == job.key && record->grader == grader &&
                        record->row.outcome != results::Outcome::notGradable &&
@@ -184,6 +188,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   outcome.changes = changesSince(state, options.out);
   state.isFinished = outcome.unfinished.empty();
   state.work.clear();
+  sweep(options.out, state); // of workers that died
   saveState(options.out, state);
   return outcome;
 }

@@ -189,7 +189,13 @@ void Books::adjust(std::vector<Record>& records, PageNotes& notes) const {
 }
 
 std::vector<ClassRow> Books::write(const fs::path& out, PageNotes& notes) const {
-  std::vector<Record> records = loadRecords(out);
+  std::vector<std::string> damaged;
+  std::vector<Record> records = loadRecords(out, &damaged);
+  for (const std::string& name : damaged)
+    notes.missing.push_back(
+        fmt::format("{} is missing here: its record in {} can't be read; --resume grades it again",
+                    report::sanitizeLine(name, 80), (out / name).string()));
+  notes.remarks.insert(notes.remarks.end(), notes.missing.begin(), notes.missing.end());
   adjust(records, notes);
   markLookAlikes(records);
   setProtections(records, notes);

@@ -26,6 +26,7 @@ struct PageNotes {
   std::vector<std::string> refused; ///< of the folder of uploads
   std::string selfTest;             ///< of the sandbox, in words
   std::vector<std::string> remarks;
+  std::vector<std::string> missing; ///< results that have no row; Books::write finds them
   std::vector<std::pair<std::string, std::string>> facts;
   /// As in ClassPage; made of the records by Books::write.
   std::vector<std::pair<std::string, std::string>> protections;

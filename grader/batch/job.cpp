@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <map>
+#include <system_error>
 
 #include <sys/stat.h>
 
@@ -36,6 +37,8 @@ public:
       inside.push_back(entry->path());
       --entries_;
     }
+    if (error && error != std::errc::permission_denied)
+      throw std::system_error(error, "can't read " + path.string());
     std::sort(inside.begin(), inside.end());
     std::string all;
     for (const fs::path& entry : inside) {
@@ -51,6 +54,9 @@ private:
       const std::string bytes = intake::readRegular(path, std::min(size, bytes_)).bytes;
       bytes_ -= bytes.size();
       return fmt::format("{} {}\n", size, grading::hashOf(bytes));
+    } catch (const std::system_error& error) {
+      if (error.code() != std::errc::permission_denied) throw;
+      return fmt::format("{} unreadable\n", size);
     } catch (const std::exception& error) {
       return fmt::format("{} {}\n", size, error.what()); // nobody will grade it, either
     }

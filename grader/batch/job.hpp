@@ -12,7 +12,7 @@ namespace ggrade::batch {
 
 struct Job {
   intake::Upload upload;
-  std::string key; ///< hash of what was handed in
+  std::string key; ///< hash of what was handed in; empty: whoever grades it works it out
 };
 
 nlohmann::json toJson(const Job& job);
@@ -36,7 +36,8 @@ nlohmann::json toJson(grading::Runs kind);
 /// Throws nlohmann::json::exception.
 grading::Runs runsFrom(const nlohmann::json& line);
 
-/// A hash of everything that an upload holds, read as far as an upload is ever read.
+/// A hash of everything that an upload holds, read as far as an upload is ever read. Throws
+/// std::system_error where the machine can't read it.
 std::string keyOf(const intake::Upload& upload);
 
 /// A hash of all else that a result depends on: the tool, the points, the solution, the scenes, and

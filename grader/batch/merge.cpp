@@ -47,7 +47,7 @@ void requireAlike(const Record& one, const fs::path& folder, const Record& first
 } // namespace
 
 Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
-  fs::create_directories(out);
+  makeClassFolder(out);
   if (!fs::is_empty(out))
     throw UsageError(fmt::format("{} is not empty: name a new folder with --out", out.string()));
   const Lock lock(out);

@@ -16,6 +16,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -43,7 +44,7 @@ struct Process {
   Descriptor to, from;
   std::string received;
   std::optional<std::size_t> job;
-  Clock::time_point since;
+  Clock::time_point since = Clock::now();      ///< of its job, or its start
   std::optional<Clock::time_point> waitsSince; ///< for its turn
   bool isReady = false;                        ///< it has said so, its first line
 };
@@ -51,9 +52,12 @@ struct Process {
 /// Starts a worker; its standard error is ours.
 Process start(const PoolOptions& options) {
   int jobs[2], answers[2];
-  if (pipe2(jobs, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for a worker");
+  const auto refuse = [](int error) {
+    throw std::system_error(error, std::generic_category(), "a worker can't be started");
+  };
+  if (pipe2(jobs, O_CLOEXEC) != 0) refuse(errno);
   Descriptor jobsRead(jobs[0]), jobsWrite(jobs[1]);
-  if (pipe2(answers, O_CLOEXEC) != 0) throw std::runtime_error("no pipe for a worker");
+  if (pipe2(answers, O_CLOEXEC) != 0) refuse(errno);
   Descriptor answersRead(answers[0]), answersWrite(answers[1]);
   std::vector<std::string> words = options.worker, variables;
   std::vector<char*> argv, environment;
@@ -72,8 +76,7 @@ Process start(const PoolOptions& options) {
   const int error = posix_spawn(&process.pid, options.program.c_str(), &actions, nullptr,
                                 argv.data(), environment.data());
   posix_spawn_file_actions_destroy(&actions);
-  if (error)
-    throw std::runtime_error(fmt::format("a worker can't be started: {}", std::strerror(error)));
+  if (error) refuse(error);
   process.to = std::move(jobsWrite);
   process.from = std::move(answersRead);
   return process;
@@ -117,13 +120,15 @@ private:
     tell(process, toJson(jobs_[job]).dump());
   }
 
-  /// A worker that is gone shows as the end of its answers.
   void tell(Process& process, const std::string& text) {
     const std::string line = text + '\n';
     for (std::size_t done = 0; done < line.size();) {
       const ssize_t count = write(process.to.get(), line.data() + done, line.size() - done);
       if (count < 0 && errno == EINTR && !grading::interrupted) continue;
-      if (count <= 0) return;
+      if (count <= 0) {
+        kill(process.pid, SIGKILL); // it would wait forever; now its answers end
+        return;
+      }
       done += std::size_t(count);
     }
   }
@@ -139,7 +144,7 @@ private:
       const ssize_t count = read(process.from.get(), block, sizeof block);
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0 || process.received.size() > kLongestAnswer) {
-        bury(i, {});
+        bury(i, count < 0 ? fmt::format("a worker can't be heard: {}", std::strerror(errno)) : "");
         continue;
       }
       process.received.append(block, std::size_t(count));
@@ -188,7 +193,7 @@ private:
 
   void endTheStuck() {
     for (std::size_t i = processes_.size(); i-- > 0;)
-      if (processes_[i].job && !processes_[i].waitsSince &&
+      if ((processes_[i].job || !processes_[i].isReady) && !processes_[i].waitsSince &&
           Clock::now() - processes_[i].since > std::chrono::duration<double>(options_.seconds))
         bury(i, fmt::format("the grader itself was stuck for {:.0f} s", options_.seconds));
   }
@@ -208,7 +213,9 @@ private:
       why = WIFSIGNALED(status)
                 ? fmt::format("the grader's own process died of signal {}", WTERMSIG(status))
                 : fmt::format("the grader's own process ended with code {}", WEXITSTATUS(status));
-    if (!process.isReady) throw std::runtime_error(why + " before it could grade anything");
+    if (!process.isReady)
+      throw std::runtime_error(
+          why + " before it could grade anything. Mend that, then run the command again");
     Reply reply;
     reply.problem = why;
     finish(process, reply);

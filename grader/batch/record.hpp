@@ -36,7 +36,8 @@ Record recordOf(const results::Result& result, report::Reveal reveal);
 void saveRecord(const std::filesystem::path& folder, const Record& record);
 
 /// Nothing where there is none. One that makes no sense is none, either: its submission will be
-/// graded again. The thumbnail is read, too.
+/// graded again. The thumbnail is read, too. Throws std::system_error if the machine can't read
+/// now what is there.
 std::optional<Record> loadRecord(const std::filesystem::path& folder);
 
 /// Every record in the folders of `out`, by folder name. `damaged` gets the names of folders that

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <system_error>
 
 namespace ggrade::batch {
 
@@ -98,6 +99,8 @@ std::optional<Record> loadRecord(const fs::path& folder) try {
   if (record.row.folder != folder.filename().string()) return std::nullopt;
   if (fs::exists(folder / kThumbnail)) record.row.thumbnail = readFile(folder / kThumbnail);
   return record;
+} catch (const std::system_error&) {
+  throw; // it may well be good
 } catch (const std::exception&) {
   return std::nullopt;
 }

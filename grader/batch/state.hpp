@@ -28,6 +28,9 @@ struct State {
 std::optional<State> loadState(const std::filesystem::path& out);
 void saveState(const std::filesystem::path& out, const State& state);
 
+/// Makes the folder of a class if it is missing. Throws UsageError with the remedy.
+void makeClassFolder(const std::filesystem::path& out);
+
 /// Keeps a second run out of a folder while this exists.
 class Lock {
 public:
@@ -41,8 +44,9 @@ private:
   int file_ = -1;
 };
 
-/// Removes what a killed run left: its temporary folder and half-written results. Only folders that
-/// bear this tool's mark and belong to this user.
-void sweep(const std::filesystem::path& out, const State& state);
+/// Removes what a killed run left: its temporary folder, half-written results and files. Only what
+/// bears this tool's mark and belongs to this user; in a folder without a state only what was to
+/// become one.
+void sweep(const std::filesystem::path& out, const std::optional<State>& state);
 
 } // namespace ggrade::batch

@@ -8,9 +8,11 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <iostream>
+#include <system_error>
 
 #include <sys/prctl.h>
 #include <unistd.h>
@@ -21,6 +23,12 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 namespace {
+
+/// Whoever waits for a line that can't be written sees the end of this process instead.
+void say(const std::string& line) {
+  if (!(std::cout << line << std::endl))
+    throw std::system_error(errno, std::generic_category(), "a worker can't answer");
+}
 
 class Worker {
 public:
@@ -54,7 +62,7 @@ private:
     how.many = true;
     how.threads = 1; // a worker keeps to its own core
     how.begins = [](grading::Runs kind) {
-      std::cout << batch::toJson(kind).dump() << std::endl;
+      say(batch::toJson(kind).dump());
       std::string go;
       if (kind != grading::Runs::none && !std::getline(std::cin, go)) throw grading::Interrupted{};
     };
@@ -66,29 +74,34 @@ private:
   const std::string key_; ///< see graderOf
 };
 
-/// A worker whose parent was killed must not go on beside the next run's.
+} // namespace
+
 void endWithParent() {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() == 1) _exit(1);
 }
 
-} // namespace
+void answerJobs(const std::function<Reply(const Job&)>& grade) {
+  say("ready");
+  for (std::string line; std::getline(std::cin, line);) {
+    Reply reply;
+    try {
+      Job job = jobFrom(json::parse(line));
+      if (job.key.empty()) job.key = keyOf(job.upload);
+      reply = grade(job);
+    } catch (const std::exception& error) {
+      reply.problem = report::sanitizeLine(error.what());
+      if (reply.problem.empty()) reply.problem = "an error without words";
+    }
+    say(toJson(reply).dump());
+  }
+}
 
 void work(const Target& target, const fs::path& solutionFolder, const WorkerOptions& options) {
   endWithParent();
   keepFreedMemory();
   Worker worker(target, solutionFolder, options);
-  std::cout << "ready" << std::endl;
-  for (std::string line; std::getline(std::cin, line);) {
-    Reply reply;
-    try {
-      reply = worker.grade(jobFrom(json::parse(line)));
-    } catch (const std::exception& error) {
-      reply.problem = report::sanitizeLine(error.what());
-      if (reply.problem.empty()) reply.problem = "an error without words";
-    }
-    std::cout << toJson(reply).dump() << std::endl;
-  }
+  answerJobs([&](const Job& job) { return worker.grade(job); });
 }
 
 } // namespace ggrade::batch

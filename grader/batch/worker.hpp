@@ -3,9 +3,11 @@
 /// A process that grades one upload after the other.
 
 #include "assignment/assignment.hpp"
+#include "batch/job.hpp"
 #include "grading/scenes.hpp"
 #include "report/reveal.hpp"
 
+#include <functional>
 #include <optional>
 
 namespace ggrade::batch {
@@ -18,9 +20,16 @@ struct WorkerOptions {
   unsigned run = 1;
 };
 
+/// A worker whose parent was killed must not go on beside the next run's.
+void endWithParent();
+
 /// Says "ready" on standard output, then takes jobs from standard input, a line of JSON each, and
-/// answers each with a line, until the input ends. What goes wrong with a job is its reply; throws
-/// only where no job at all can be done, and Interrupted. Ends at once if the parent does.
+/// answers each with a line, until the input ends. An exception of `grade` is its job's reply,
+/// Interrupted excepted.
+void answerJobs(const std::function<Reply(const Job&)>& grade);
+
+/// Does so with a Grader that it keeps. Throws only where no job at all can be done, and
+/// Interrupted. Ends at once if the parent does.
 void work(const Target& target, const std::filesystem::path& solutionFolder,
           const WorkerOptions& options);
 

@@ -28,7 +28,7 @@ void printEnd(const std::vector<report::ClassRow>& rows, const batch::PageNotes&
   std::size_t notGradable = 0;
   for (const report::ClassRow& row : rows)
     notGradable += row.outcome == results::Outcome::notGradable;
-  if (notGradable || !outcome.unfinished.empty()) exitCode = kNotGradable;
+  if (notGradable || !outcome.unfinished.empty() || !notes.missing.empty()) exitCode = kNotGradable;
   const std::vector<report::Attention> needs = report::needingAPerson(rows);
   // An override that looks wrong counts, as the instructor said: only who has no score is missing.
   const auto alike = std::ranges::count_if(

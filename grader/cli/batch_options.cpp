@@ -118,8 +118,7 @@ void ClassProgress::operator()(const batch::Step& step) {
     how += fmt::format(", {} of {}", report::number(reply.score, 1),
                        report::number(reply.maxScore, 1));
   if (!terminal_) {
-    fmt::print(stderr, "{}/{} {}: {} ({:.1f} s)\n", step.done, step.total, name, how,
-               reply.seconds);
+    tell(fmt::format("{}/{} {}: {} ({:.1f} s)\n", step.done, step.total, name, how, reply.seconds));
     return;
   }
   preparing_.clear();
@@ -130,15 +129,14 @@ void ClassProgress::operator()(const batch::Step& step) {
   const double passed = std::chrono::duration<double>(Clock::now() - start_).count();
   const double left = passed / double(step.done) * double(step.total - step.done);
   const auto full = int(double(kBarColumns) * double(step.done) / double(step.total));
-  fmt::print(stderr, "\r\033[K[{:#<{}}{:.<{}}] {}/{}, {} left; {}: {}", "", full, "",
-             kBarColumns - full, step.done, step.total, minutes(left), name, how);
-  std::fflush(stderr);
+  tell(fmt::format("\r\033[K[{:#<{}}{:.<{}}] {}/{}, {} left; {}: {}", "", full, "",
+                   kBarColumns - full, step.done, step.total, minutes(left), name, how));
   shown_ = true;
 }
 
 void ClassProgress::clear() {
   preparing_.clear();
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (shown_) tell("\r\033[K");
   shown_ = false;
 }
 

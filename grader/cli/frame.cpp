@@ -4,6 +4,7 @@
 
 #include "cli/commands.hpp"
 #include "cli/help.hpp"
+#include "cli/terminal.hpp"
 
 #include "assignment/assignment.hpp"
 #include "grading/program.hpp"
@@ -16,8 +17,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <iostream>
+#include <system_error>
 
 #include <unistd.h>
 
@@ -172,8 +176,8 @@ CLI::Option* declareQuality(CLI::App& app, std::string& quality, const std::stri
 std::vector<std::string> chooseSandbox(const std::string& word) {
   if (word != "none") return requireSandbox();
   grading::isolation() = sandbox::Isolation::none;
-  fmt::print(stderr, "ggrade: no sandbox: every submission runs as you, with your files and your "
-                     "network\n");
+  tell("ggrade: no sandbox: every submission runs as you, with your files and your "
+       "network\n");
   return {};
 }
 
@@ -195,21 +199,37 @@ fs::path outputFolder(const std::string& named) {
 
 int runCommands(int argc, char** argv, const std::vector<AddCommand>& commands) {
   grading::catchInterrupts();
+  const auto end = [](int code, const std::string& text) {
+    // What Ctrl-C broke off may have failed for that alone.
+    if (grading::interrupted) {
+      code = kInterrupted;
+      tell(fmt::format("\n{}\n", gg::say("ggrade: stopped; nothing half-written was left behind")));
+    } else {
+      tell(fmt::format("ggrade: {}\n", text));
+    }
+    return code;
+  };
   try {
-    return run(argc, argv, commands);
+    const int code = run(argc, argv, commands);
+    errno = 0;
+    const bool isWritten = std::cout.flush() && std::fflush(stdout) == 0 && !std::ferror(stdout);
+    if (!isWritten && errno != EPIPE) // a reader that has read enough
+      throw std::system_error(errno ? errno : EIO, std::generic_category(),
+                              gg::say("can't write what the command prints"));
+    return code;
   } catch (const grading::Interrupted&) {
-    fmt::print(stderr, "\n{}\n", gg::say("ggrade: stopped; nothing half-written was left behind"));
-    return kInterrupted;
+    grading::interrupted = true;
+    return end(kInterrupted, {});
   } catch (const NoSandbox& error) {
-    fmt::print(stderr, "ggrade: {}\n", error.what());
-    return kNoSandbox;
+    return end(kNoSandbox, error.what());
   } catch (const UsageError& error) {
-    fmt::print(stderr, "ggrade: {}\n", error.what());
-    return kUsage;
+    return end(kUsage, error.what());
+  } catch (const std::system_error& error) {
+    // The disk, memory, descriptors: nobody's mistake, and to be mended outside.
+    return end(kNotGradable, gg::say("{}. Mend that, then run the command again", error.what()));
   } catch (const std::exception& error) {
-    // Not the caller's doing: our own programs, the disk, memory.
-    fmt::print(stderr, "ggrade: {}\n", error.what());
-    return kNotGradable;
+    // Not the caller's doing: our own programs.
+    return end(kNotGradable, error.what());
   }
 }
 

@@ -17,18 +17,22 @@ Progress::~Progress() {
 void Progress::operator()(const std::string& what, std::size_t done, std::size_t total) {
   const std::lock_guard lock(mutex_);
   if (terminal_) {
-    fmt::print(stderr, "\r\033[K{}: {} [{}/{}]", title_, what, done, total);
-    std::fflush(stderr);
+    tell(fmt::format("\r\033[K{}: {} [{}/{}]", title_, what, done, total));
     shown_ = true;
   } else if (what != last_ && what != "done") {
-    fmt::print(stderr, "{}: {}\n", title_, what);
+    tell(fmt::format("{}: {}\n", title_, what));
   }
   last_ = what;
 }
 
 void Progress::clear() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (shown_) tell("\r\033[K");
   shown_ = false;
+}
+
+void tell(const std::string& text) {
+  std::fputs(text.c_str(), stderr);
+  std::fflush(stderr);
 }
 
 bool wantsColour() {

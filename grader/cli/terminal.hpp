@@ -24,6 +24,10 @@ private:
   bool terminal_, shown_ = false;
 };
 
+/// Writes to stderr. Whether it gets there is no matter of anybody's grade: a log on a full disk
+/// stops nothing.
+void tell(const std::string& text);
+
 /// Is stdout a terminal that wants colour (NO_COLOR unset)?
 bool wantsColour();
 

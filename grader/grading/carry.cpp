@@ -128,9 +128,14 @@ private:
   /// evidence.
   bool render(std::size_t scene, const fs::path& folder) const {
     const GradedScene& first = graded_.scenes.at(scene);
-    const Rendering rendering = graded_.program->render(
-        first.scene, {first.times.at(0)}, graded_.shaders, gradingRequest(), pixels_[scene]);
+    trace::Request request = gradingRequest();
+    request.copyBytes = first.copyBytes;
+    const Rendering rendering = graded_.program->render(first.scene, {first.times.at(0)},
+                                                        graded_.shaders, request, pixels_[scene]);
     const channel::Capture& capture = rendering.capture;
+    // Without this run the student would lose what it may give back.
+    if (rendering.happened.outcome == results::Outcome::notGradable)
+      throw std::runtime_error(rendering.happened.detail);
     const auto done = [](channel::ReplacementAnswer answer) {
       return answer == channel::ReplacementAnswer::done;
     };

@@ -67,6 +67,25 @@ results::Frame compareFrames(const Image& student, const ReferencePictures::Fram
   return frame;
 }
 
+/// What the copies of a submission's passes may take on disk: of all scenes and of what is drawn
+/// again together. Five times what the largest reference takes (160 MB, all of `deferred`).
+constexpr std::uint64_t kCopyBytes = std::uint64_t{768} << 20;
+
+/// Shares that out. A scene gets what the reference needs there, times the same for all, so that no
+/// scene's room depends on what another has used: they may be drawn at the same time.
+void shareCopyBytes(std::vector<GradedScene>& scenes) {
+  double sum = 0;
+  const auto weight = [](const GradedScene& scene) {
+    std::error_code none;
+    const auto bytes = fs::file_size(scene.reference / "copies.bin", none);
+    return double(std::uint64_t{1} << 20) + (none ? 0 : double(bytes));
+  };
+  for (const GradedScene& scene : scenes) sum += weight(scene);
+  for (GradedScene& scene : scenes)
+    scene.copyBytes = std::min(gradingRequest().copyBytes,
+                               std::uint64_t(double(kCopyBytes) * weight(scene) / sum));
+}
+
 std::string pixelsHash(const rubric::RawFrame& frame) {
   const XXH128_hash_t hash = XXH3_128bits(frame.pixels.data(), frame.pixels.size());
   return fmt::format("{}x{}:{:016x}{:016x}", frame.width, frame.height, hash.high64, hash.low64);
@@ -136,6 +155,10 @@ results::Scene describe(const GradedScene& graded, ReferencePictures& pictures) 
   scene.output = rendering.happened.output;
   scene.seconds = rendering.happened.seconds;
   scene.messages = remarks(rendering.capture);
+  if (graded.copiesLost > 0)
+    scene.messages.push_back(say("{} pictures of passes were left out: those of all scenes may "
+                                 "take {} MiB together",
+                                 graded.copiesLost, kCopyBytes >> 20));
   const auto student = rawFrames(rendering.capture);
   const auto& reference = pictures.of(graded.reference);
   for (std::size_t i = 0; i < reference.size(); ++i) {
@@ -175,9 +198,10 @@ void nameOutcome(const std::vector<GradedScene>& scenes, const References& refer
     const Happened& happened = scene.rendering.happened;
     // The first scene that didn't go well names the outcome; no frames outweighs a GL error, and a
     // fault of ours everything.
-    const bool worse =
-        result.outcome == Outcome::graded || (result.outcome == Outcome::glError && !happened.ok());
-    if (happened.outcome != Outcome::graded && worse) {
+    const bool worse = result.outcome == Outcome::graded ||
+                       (result.outcome == Outcome::glError && !happened.ok()) ||
+                       happened.outcome == Outcome::notGradable;
+    if (result.outcome != Outcome::notGradable && happened.outcome != Outcome::graded && worse) {
       result.outcome = happened.outcome;
       result.detail = fmt::format("{}: {}", scene.name, happened.detail);
     }
@@ -340,6 +364,7 @@ Graded Grader::draw(const Built& built, std::size_t count) {
     scenes.push_back({scene, {}});
     scenes.back().student = graded.work->path() / fmt::format("student-{}", scenes.size() - 1);
   }
+  shareCopyBytes(scenes);
   std::optional<Stopwatch> time(std::in_place, graded.result, "render");
   const std::size_t steps = scenes.size() + 2;
   options_.progress("rendering", 1, steps);
@@ -350,9 +375,13 @@ Graded Grader::draw(const Built& built, std::size_t count) {
   };
   const auto render = [&](std::size_t i) {
     if (i > firstHung) return;
-    Rendering& rendering = scenes[i].rendering = run(i, gradingRequest());
+    trace::Request request = gradingRequest();
+    request.copyBytes = scenes[i].copyBytes;
+    Rendering& rendering = scenes[i].rendering = run(i, request);
     // Copies of a whole frame's passes are too much to keep in memory for every scene.
     trace::save(rendering.capture.trace, scenes[i].student);
+    scenes[i].copyBytes -= rendering.capture.trace.pixels.size();
+    scenes[i].copiesLost = rendering.capture.trace.copiesLost;
     rendering.capture.trace = {};
     const Happened& happened = rendering.happened;
     if (!happened.ok() && happened.seconds >= kRunSeconds)

@@ -17,7 +17,9 @@ namespace ggrade::grading {
 /// A scene of a grading: what it is, where the pictures lie that were made in it, and how the
 /// submission's run there went.
 struct GradedScene : rubric::SceneFolders {
-  Rendering rendering; ///< frames alone: passes lie in `student`
+  Rendering rendering;          ///< frames alone: passes lie in `student`
+  std::uint64_t copyBytes = 0;  ///< what copies of its passes may still take on disk
+  std::uint32_t copiesLost = 0; ///< that had no room
 };
 
 /// A submission that was built, to be graded with one seed or several.

@@ -10,10 +10,11 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 #include <fcntl.h>
@@ -40,10 +41,10 @@ std::string stepTitle(const Target& target, const std::string& todo) {
   return todo;
 }
 
-/// The items of `target`, filled in from the lines that the judge appended to `results`.
-std::vector<results::Item> readItems(const Target& target, const fs::path& results) {
+/// The items of `target`, filled in from the lines that the judge wrote.
+std::vector<results::Item> readItems(const Target& target, const std::string& lines) {
   std::map<std::string, json> judged;
-  std::ifstream in(results);
+  std::istringstream in(lines);
   for (std::string line; std::getline(in, line);) {
     const json one = json::parse(line, nullptr, false);
     if (one.is_object()) judged[one.at("id")] = one;
@@ -132,7 +133,8 @@ Judge::Judge(const Target& target, std::vector<rubric::SceneFolders> scenes, boo
   rubric::writeEvidence(evidence, target.assignment.folder, target.id, scenes_);
 
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw std::runtime_error("the judge could not be started");
+  if (pipe2(ends, O_CLOEXEC) != 0)
+    throw std::system_error(errno, std::generic_category(), "the judge could not be started");
   std::vector<std::string> words = {"ggrade", "judge", evidence.string()};
   if (many) words.push_back("--many");
   if (tolerances)
@@ -158,7 +160,7 @@ Judge::Judge(const Target& target, std::vector<rubric::SceneFolders> scenes, boo
   requests_ = ends[1];
   if (failed) {
     close(requests_);
-    throw std::runtime_error("the judge could not be started");
+    throw std::system_error(failed, std::generic_category(), "the judge could not be started");
   }
 }
 
@@ -223,8 +225,15 @@ std::vector<results::Item> Judge::judge(const Request& request, const fs::path& 
                      : "the judge takes no requests";
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  if (problem.empty()) problem = readFile(done);
-  std::vector<results::Item> items = readItems(target_, results);
+  if (problem.empty()) {
+    const std::string answer = readFile(done);
+    if (answer.empty())
+      problem = fmt::format("the judge can't write {}: is the disk full?", done.string());
+    else if (answer != rubric::kJudged)
+      problem = answer;
+  }
+  const bool isThere = problem.empty() || fs::exists(results);
+  std::vector<results::Item> items = readItems(target_, isThere ? readFile(results) : "");
   if (request.students.size() < scenes_.size()) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < request.students.size(); ++i) names.push_back(scenes_[i].name);

@@ -1,13 +1,16 @@
 #include "grading/overlay.hpp"
 
+#include "report/write_file.hpp"
+#include "sandbox/descriptor.hpp"
 #include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
-#include <fstream>
+#include <system_error>
 
 #include <fcntl.h>
 #include <fnmatch.h>
@@ -21,32 +24,33 @@ using gg::say;
 
 namespace {
 
-/// Reads one uploaded file without following a link or waiting on a FIFO. Returns why not, or "".
+/// Reads one uploaded file without following a link or waiting on a FIFO. Returns what the file is
+/// to blame for, or "". What the machine fails at is nobody's fault: throws std::system_error.
 std::string readUploaded(const fs::path& path, std::string& content) {
-  const int fd = open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-  if (fd < 0) return errno == ELOOP ? say("a link") : say("can't be read");
+  const sandbox::Descriptor file(
+      open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (!file && errno == ELOOP) return say("a link");
+  if (!file && (errno == ENXIO || errno == ENODEV)) return say("not a regular file"); // a socket
+  if (!file && errno == EACCES) return say("can't be read");
+  const auto fail = [&] {
+    throw std::system_error(errno, std::generic_category(), say("can't read {}", path.string()));
+  };
   struct stat status = {};
-  std::string reason;
-  if (fstat(fd, &status) != 0 || !S_ISREG(status.st_mode)) {
-    reason = say("not a regular file");
-  } else if (std::uintmax_t(status.st_size) > kLargestSource) {
-    reason = say("larger than {} KiB", kLargestSource / 1024);
-  } else {
-    content.resize(kLargestSource + 1);
-    std::size_t length = 0;
-    for (ssize_t got; length < content.size() &&
-                      (got = read(fd, content.data() + length, content.size() - length)) > 0;)
-      length += std::size_t(got);
-    content.resize(std::min<std::size_t>(length, kLargestSource));
+  if (!file || fstat(file.get(), &status) != 0) fail();
+  if (!S_ISREG(status.st_mode)) return say("not a regular file");
+  if (std::uintmax_t(status.st_size) > kLargestSource)
+    return say("larger than {} KiB", kLargestSource / 1024);
+  content.resize(kLargestSource + 1);
+  std::size_t length = 0;
+  while (length < content.size()) {
+    const ssize_t got = read(file.get(), content.data() + length, content.size() - length);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail();
+    if (got == 0) break;
+    length += std::size_t(got);
   }
-  close(fd);
-  return reason;
-}
-
-void writeFile(const fs::path& path, const std::string& content) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  if (!(out << content) || !out.flush())
-    throw UsageError(fmt::format("can't write {}: is the disk full?", path.string()));
+  content.resize(std::min<std::size_t>(length, kLargestSource));
+  return {};
 }
 
 bool has(const std::vector<std::string>& list, const std::string& value) {
@@ -87,7 +91,7 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
             fmt::format("{}", fmt::join(assignment.files, ", "))));
   Overlay result;
   for (const std::string& name : assignment.dataFiles())
-    writeFile(into / name, readFile(assignment.folder / name));
+    report::writeFile(into / name, readFile(assignment.folder / name));
   std::vector<std::string> names;
   for (const fs::directory_entry& entry : fs::directory_iterator(upload))
     names.push_back(entry.path().filename().string());
@@ -119,7 +123,7 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
       continue;
     }
     bytes += content.size();
-    writeFile(into / name, content);
+    report::writeFile(into / name, content);
     result.used.push_back(name);
   }
   if (result.used.empty())
@@ -127,7 +131,7 @@ Overlay overlay(const Assignment& assignment, const fs::path& upload, const fs::
                              fmt::format("{}", fmt::join(assignment.files, ", "))));
   for (const std::string& name : assignment.files) {
     if (has(result.used, name)) continue;
-    writeFile(into / name, readFile(assignment.folder / name));
+    report::writeFile(into / name, readFile(assignment.folder / name));
     result.missing.push_back(name);
   }
   return result;

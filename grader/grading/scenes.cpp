@@ -118,8 +118,12 @@ namespace {
 
 void checkText(const Assignment& assignment, const std::string& text, const std::string& name) {
   try {
-    const gg::Declarations declared =
-        gg::Declarations::fromFile((assignment.folder / "assignment.json").string());
+    // Read here: what the machine can't read is no fault of the scene's.
+    const std::string json = "assignment.json", presets = "presets.json";
+    gg::Declarations declared =
+        gg::Declarations::fromText(readFile(assignment.folder / json), json);
+    if (fs::exists(assignment.folder / presets))
+      declared.addPresets(readFile(assignment.folder / presets), presets);
     gg::Scene::fromText(text, name, declared);
   } catch (const gg::SceneError& error) {
     throw UsageError(error.what());

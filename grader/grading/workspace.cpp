@@ -1,14 +1,15 @@
 #include "grading/workspace.hpp"
 
 #include "assignment/assignment.hpp"
+#include "report/write_file.hpp"
 #include "words/words.hpp"
 
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <set>
+#include <sstream>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -55,7 +56,7 @@ void requireReplaceable(const fs::path& folder) {
   if (!fs::is_directory(folder, none))
     throw UsageError(gg::say("{} is not a folder: name another one with --out", folder.string()));
   std::set<std::string> ours = {kContents};
-  std::ifstream in(folder / kContents);
+  std::istringstream in(fs::exists(folder / kContents) ? readFile(folder / kContents) : "");
   for (std::string name; std::getline(in, name);) ours.insert(name);
   for (const std::string& name : namesIn(folder))
     if (!ours.count(name)) refuseForeign(folder, name);
@@ -66,9 +67,10 @@ TemporaryFolder::TemporaryFolder(const fs::path& parent, const char* remedy) {
   const fs::path base = parent.empty() ? fs::temp_directory_path() : parent;
   fs::create_directories(base, error);
   std::string name = (base / (std::string(kTemporaryMark) + "XXXXXX")).string();
-  if (!mkdtemp(name.data()))
-    throw UsageError(gg::say("can't write to {}: {}. {}", base.string(), std::strerror(errno),
-                             gg::words(remedy)));
+  if (!error && !mkdtemp(name.data())) error.assign(errno, std::generic_category());
+  if (error)
+    throw UsageError(
+        gg::say("can't write to {}: {}. {}", base.string(), error.message(), gg::words(remedy)));
   path_ = name;
 }
 
@@ -86,12 +88,9 @@ TemporaryFolder::~TemporaryFolder() {
 
 void TemporaryFolder::publish(const fs::path& final) {
   requireReplaceable(final);
-  {
-    const std::set<std::string> names = namesIn(path_);
-    std::ofstream out(path_ / kContents);
-    for (const std::string& name : names) out << name << '\n';
-    if (!out.flush()) throw std::runtime_error("can't write to " + path_.string() + ": disk full?");
-  }
+  std::string contents;
+  for (const std::string& name : namesIn(path_)) contents += name + '\n';
+  report::writeFile(path_ / kContents, contents);
   const mode_t mask = umask(0);
   umask(mask);
   fs::permissions(path_, fs::perms(0777 & ~mask));

@@ -1,6 +1,7 @@
 #include "image/temporary_file.hpp"
 
 #include <atomic>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -18,11 +19,13 @@ namespace {
   throw std::runtime_error("cannot write '" + target.string() + "': " + cause);
 }
 
+constexpr char kMark[] = ".tmp-";
+
 fs::path nameBeside(const fs::path& target) {
   static std::atomic<unsigned> counter{0};
   const std::string unique = std::to_string(getpid()) + "-" + std::to_string(counter++);
   return target.parent_path() /
-         ("." + target.stem().string() + ".tmp-" + unique + target.extension().string());
+         ("." + target.stem().string() + kMark + unique + target.extension().string());
 }
 
 } // namespace
@@ -43,6 +46,13 @@ TemporaryFile::TemporaryFile(const fs::path& target) : target_(target) {
 TemporaryFile::~TemporaryFile() {
   std::error_code ignored;
   if (!path_.empty()) fs::remove(path_, ignored);
+}
+
+bool TemporaryFile::isOne(const fs::path& path) {
+  const std::string name = path.filename().string();
+  const std::size_t mark = name.find(kMark);
+  return name.starts_with(".") && mark != name.npos &&
+         std::isdigit(static_cast<unsigned char>(name[mark + std::strlen(kMark)]));
 }
 
 void TemporaryFile::commit() {

@@ -21,6 +21,8 @@ public:
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  /// Is a file of this name one that a killed process has left?
+  static bool isOne(const std::filesystem::path& path);
   /// Throws std::runtime_error with the path and the cause.
   void commit();
 

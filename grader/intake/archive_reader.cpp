@@ -5,9 +5,11 @@
 #include <archive.h>
 #include <archive_entry.h>
 
+#include <cerrno>
 #include <memory>
 #include <ostream>
 #include <stdexcept>
+#include <system_error>
 
 namespace ggrade::intake {
 namespace {
@@ -19,7 +21,15 @@ std::string messageOf(archive* source) {
   return text ? text : "no reason given";
 }
 
+/// Throws std::system_error if it was the disk that failed.
+void blameTheDisk(archive* source) {
+  const int code = archive_errno(source);
+  if (code == EIO || code == EMFILE || code == ENFILE)
+    throw std::system_error(code, std::generic_category(), "can't read the archive");
+}
+
 [[noreturn]] void unreadable(archive* source) {
+  blameTheDisk(source);
   throw std::runtime_error("can't be read as a zip or tar file (" + messageOf(source) +
                            "): damaged, cut short, or another kind of archive");
 }
@@ -104,6 +114,7 @@ private:
     for (;;) {
       char block[1 << 16];
       const la_ssize_t count = archive_read_data(reader_.get(), block, sizeof block);
+      if (count < 0) blameTheDisk(reader_.get());
       if (count == ARCHIVE_FATAL)
         throw std::runtime_error("is damaged (" + messageOf(reader_.get()) + ")");
       if (count < 0) {

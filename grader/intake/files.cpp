@@ -2,12 +2,14 @@
 
 #include "assignment/usage_error.hpp"
 #include "sandbox/descriptor.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -30,7 +32,7 @@ Kind kindAt(const fs::path& path) {
   case fs::file_type::socket:
     return Kind::socket;
   case fs::file_type::not_found:
-    throw std::runtime_error("is not there");
+    throw std::runtime_error(path.string() + " is not there");
   default:
     return Kind::device;
   }
@@ -38,8 +40,9 @@ Kind kindAt(const fs::path& path) {
 
 ReadFile readRegular(const fs::path& path, std::uint64_t limit) {
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  const auto unreadable = [] {
-    throw std::runtime_error(std::string("can't be read: ") + std::strerror(errno));
+  const auto unreadable = [&] {
+    throw std::system_error(errno, std::generic_category(),
+                            gg::say("can't read {}", path.string()));
   };
   if (!file && errno == ELOOP) throw std::runtime_error("is a symbolic link");
   struct stat status = {};
@@ -53,10 +56,13 @@ ReadFile readRegular(const fs::path& path, std::uint64_t limit) {
   if (std::uint64_t(status.st_size) > limit) tooLarge();
   result.bytes.resize(std::size_t(status.st_size) + 1); // one more, to see a file that grows
   std::size_t length = 0;
-  for (ssize_t count = 0; length < result.bytes.size(); length += std::size_t(count)) {
-    count = read(file.get(), result.bytes.data() + length, result.bytes.size() - length);
+  while (length < result.bytes.size()) {
+    const ssize_t count =
+        read(file.get(), result.bytes.data() + length, result.bytes.size() - length);
+    if (count < 0 && errno == EINTR) continue;
     if (count < 0) unreadable();
     if (count == 0) break;
+    length += std::size_t(count);
   }
   if (length > std::size_t(status.st_size)) throw std::runtime_error("changes while it is read");
   result.bytes.resize(length);
@@ -71,6 +77,7 @@ void writeNew(const fs::path& path, std::string_view bytes) {
   if (!file || fchmod(file.get(), 0644) != 0) fail(); // the mode, whatever the umask
   while (!bytes.empty()) {
     const ssize_t count = write(file.get(), bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail();
     bytes.remove_prefix(std::size_t(count));
   }

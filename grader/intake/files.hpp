@@ -13,7 +13,8 @@ namespace ggrade::intake {
 Kind kindAt(const std::filesystem::path& path);
 
 /// Bytes and time of modification. Throws std::runtime_error with the reason ("is not a regular
-/// file") for anything but a regular file of at most `limit` bytes.
+/// file") for anything but a regular file of at most `limit` bytes, and std::system_error, which
+/// names the file, where the machine can't read it: that is nothing to hold against the file.
 struct ReadFile {
   std::string bytes;
   std::int64_t modified = 0;

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
 #include <fcntl.h>
 #include <sys/stat.h>
 
@@ -49,7 +51,9 @@ std::uint64_t bundleBytes(const Limits& limits) {
 std::string readUpload(const fs::path& path, std::uint64_t limit) {
   try {
     return readRegular(path, limit).bytes;
-  } catch (const std::exception& error) {
+  } catch (const std::system_error&) {
+    throw; // no fault of the archive's
+  } catch (const std::runtime_error& error) {
     throw UploadProblem(error.what());
   }
 }
@@ -100,7 +104,8 @@ std::string bundleOf(const fs::path& path, const fs::path& folder, const Limits&
       sandbox::run(commandFor(at, fs::absolute(folder), limits, isolation), isolation, cancel);
   if (run.end == End::setupFailed)
     throw std::runtime_error("the sandbox could not start: " + run.detail);
-  if (run.end == End::interrupted) throw UploadProblem("was not unpacked: interrupted");
+  // Said of the upload it would be a score of zero, which --resume would keep.
+  if (run.end == End::interrupted) throw std::runtime_error("interrupted");
   if (run.end != End::exited)
     throw UploadProblem("can't be unpacked: " + report::sanitizeLine(run.detail));
   if (run.exitCode == 1) throw UploadProblem(report::sanitizeLine(run.standardError));

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <system_error>
 
 namespace ggrade::intake {
 
@@ -47,8 +48,10 @@ private:
       if (paths.size() > kUploadLimits.clutter)
         throw UploadProblem(gg::say("holds more than {} files and folders", kUploadLimits.clutter));
     }
-    if (error)
+    if (error == std::errc::permission_denied)
       contents.refuse(safePath(prefix + '.').shown, gg::say("can't be read: {}", error.message()));
+    else if (error)
+      throw std::system_error(error, gg::say("can't read {}", folder.string()));
     std::sort(paths.begin(), paths.end());
     for (const fs::path& path : paths) {
       const std::string name = prefix + path.filename().string();
@@ -86,7 +89,10 @@ private:
       } else {
         try {
           bytes = readRegular(path, kUploadLimits.fileBytes).bytes;
-        } catch (const std::exception& error) {
+        } catch (const std::system_error& error) {
+          if (error.code() != std::errc::permission_denied) throw;
+          return contents.refuse(shown, gg::say("can't be read: {}", error.code().message()));
+        } catch (const std::runtime_error& error) {
           return contents.refuse(shown, error.what());
         }
       }

@@ -3,11 +3,14 @@
 // where the archive is refused.
 #include "intake/archive_reader.hpp"
 
+#include <cerrno>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
+#include <system_error>
 
 int main(int argc, char** argv) {
   using namespace ggrade::intake;
@@ -29,8 +32,15 @@ int main(int argc, char** argv) {
   try {
     std::ofstream out(argv[2], std::ios::binary);
     bundleFile(argv[1], limits, out);
-    if (!out.flush()) throw std::runtime_error("does not fit where it is unpacked");
+    if (!out.flush()) {
+      // The sandbox has room for every bundle within the limits: the disk is full, or fails.
+      std::fprintf(stderr, "can't write %s: %s", argv[2], std::strerror(errno));
+      return 2;
+    }
     return 0;
+  } catch (const std::system_error& error) {
+    std::fputs(error.what(), stderr);
+    return 2; // no fault of the archive's
   } catch (const std::exception& error) {
     std::fputs(error.what(), stderr);
     return 1;

@@ -75,10 +75,13 @@ public:
   void OnTestEnd(const testing::TestInfo& test) override {
     const auto found = results_.find(std::string(test.test_suite_name()) + "." + test.name());
     if (found == results_.end()) return;
-    std::ofstream(path_, std::ios::app) << found->second.dump() << std::endl;
+    if (!(std::ofstream(path_, std::ios::app) << found->second.dump() << std::endl)) lost_ = true;
   }
+  /// Could a line not be written? Its item would count as never judged.
+  bool lost() const { return lost_; }
 
 private:
+  bool lost_ = false;
   std::filesystem::path path_;
   const std::map<std::string, json>& results_;
 };
@@ -211,10 +214,15 @@ int judgeItems(const Evidence& evidence, const std::vector<ItemDeclaration>& all
                             return new ItemTest(item, all, evidence, floors, results);
                           });
   }
-  testing::UnitTest::GetInstance()->listeners().Append(new Writer(resultsFile, results));
+  if (!std::ofstream(resultsFile)) // so that it is there, however few items are asked for
+    throw UsageError(fmt::format("can't write {}", resultsFile.string()));
+  auto* const writer = new Writer(resultsFile, results);
+  testing::UnitTest::GetInstance()->listeners().Append(writer);
   [[maybe_unused]] const int lostPoints = RUN_ALL_TESTS();
   // Lost points are no failure of the judge, so the result says nothing here; an item without a
   // result is, unless it was asked for.
+  if (writer->lost())
+    throw UsageError(fmt::format("can't write {}: is the disk full?", resultsFile.string()));
   const bool filtered = testing::GTEST_FLAG(filter) != "*";
   for (const ItemDeclaration& item : items)
     if (!results.count(item.id) && !filtered) return 1;

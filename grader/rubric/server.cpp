@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <sstream>
@@ -55,22 +57,28 @@ int answer(Common& common, const json& request) {
                     request.at("arguments").get<std::vector<std::string>>());
 }
 
-/// What became of the process that answers; "" if all is well.
+/// What became of the process that answers; kJudged if all is well.
 std::string waitFor(pid_t pid, const fs::path& log) {
   int status = 0;
+  if (pid < 0) return fmt::format("the judge could not fork: {}", std::strerror(errno));
   while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
   }
   if (WIFSIGNALED(status)) return fmt::format("the judge died of signal {}", WTERMSIG(status));
-  if (WEXITSTATUS(status) == 0) return {};
+  if (WEXITSTATUS(status) == 0) return kJudged;
   std::string text = readFile(log);
   if (text.size() > kLogBytes) text = "..." + text.substr(text.size() - kLogBytes);
   return fmt::format("the judge ended with code {}:\n{}", WEXITSTATUS(status), text);
 }
 
-[[noreturn]] void handle(Common& common, const std::string& line) {
-  const json request = json::parse(line);
-  const fs::path done = request.at("done").get<std::string>();
-  const fs::path log = done.string() + ".log", problem = done.string() + ".problem";
+/// Makes `done` in one step. What can't be written is no answer: an empty file, or none.
+void tell(const fs::path& done, const std::string& answer) {
+  const fs::path file = done.string() + ".answer";
+  std::ofstream(file) << answer << std::flush;
+  fs::rename(file, done);
+}
+
+[[noreturn]] void handle(Common& common, const json& request) {
+  const fs::path done = request.at("done").get<std::string>(), log = done.string() + ".log";
   const pid_t pid = forkBound();
   if (pid == 0) {
     const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
@@ -88,8 +96,12 @@ std::string waitFor(pid_t pid, const fs::path& log) {
     std::fflush(stdout);
     _exit(code);
   }
-  std::ofstream(problem) << waitFor(pid, log) << std::flush;
-  fs::rename(problem, done);
+  try {
+    tell(done, waitFor(pid, log));
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << std::endl;
+    _exit(1);
+  }
   _exit(0);
 }
 
@@ -106,7 +118,10 @@ int serveJudge(const fs::path& evidenceFile, bool many) {
   for (std::string line; std::getline(std::cin, line);) {
     while (waitpid(-1, nullptr, WNOHANG) > 0) {
     }
-    if (forkBound() == 0) handle(common, line);
+    const json request = json::parse(line);
+    const pid_t pid = forkBound();
+    if (pid == 0) handle(common, request);
+    if (pid < 0) tell(request.at("done").get<std::string>(), waitFor(pid, {}));
   }
   while (wait(nullptr) > 0) {
   }

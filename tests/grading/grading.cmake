@@ -23,7 +23,7 @@ grading_test_program(steps_grading_test TIMEOUT 400 COST 80 SOURCES grade_steps_
 grading_test_program(diagnosis_grading_test TIMEOUT 1800 COST 200 SOURCES
   grade_demo_test.cpp grade_diagnosis_test.cpp grade_language_test.cpp)
 grading_test_program(command_grading_test TIMEOUT 300 COST 100 SOURCES
-  grade_input_test.cpp grade_interrupt_test.cpp grade_outcomes_test.cpp grade_render_test.cpp)
+  grade_full_disk_test.cpp grade_input_test.cpp grade_interrupt_test.cpp grade_outcomes_test.cpp grade_render_test.cpp)
 add_dependencies(command_grading_test ggrade_compare floor floor_solution)
 grading_test_program(study_grading_test TIMEOUT 600 COST 60 SOURCES
   grade_calibrate_test.cpp grade_tradeoff_test.cpp)
@@ -37,3 +37,12 @@ ggrade_test(window_test gl SOURCES ${CMAKE_CURRENT_LIST_DIR}/window_test.cpp
   LIBRARIES grading_tool TIMEOUT 120)
 add_dependencies(window_test ggrade_tool floor_solution)
 grading_test_program(batch_grading_test TIMEOUT 300 COST 60 SOURCES batch_class_test.cpp)
+# A class whose system calls fail, with a worker that is quick. It stands where the tool stands, and finds what it starts.
+add_executable(canned_batch ${CMAKE_CURRENT_LIST_DIR}/canned_batch.cpp ${CMAKE_CURRENT_LIST_DIR}/failing_calls.cpp
+  ${PROJECT_SOURCE_DIR}/grader/cli/batch.cpp ${PROJECT_SOURCE_DIR}/grader/cli/batch_options.cpp)
+target_link_libraries(canned_batch PRIVATE ggrade_cli ggrade_batch ggrade_report ggrade_png)
+set_target_properties(canned_batch PROPERTIES UNITY_BUILD OFF) # its main is no part of the tool
+add_dependencies(canned_batch ggrade_tool)
+grading_test_program(failing_calls_grading_test TIMEOUT 3600 COST 30 SOURCES
+  batch_failing_calls_test.cpp failing_calls.cpp)
+add_dependencies(failing_calls_grading_test canned_batch)

@@ -462,6 +462,39 @@ TEST(HostileNeighbours, ChangeNobodysResult) {
   EXPECT_EQ(json::parse(read(together.results("right") / "results.json")).at("score"), 110);
 }
 
+/// Bytes of all files below a folder that changes meanwhile.
+std::uintmax_t bytesBelow(const fs::path& folder) {
+  std::uintmax_t bytes = 0;
+  std::error_code gone;
+  for (fs::recursive_directory_iterator entry(folder, gone), end; !gone && entry != end;
+       entry.increment(gone)) {
+    std::error_code none;
+    const std::uintmax_t size = entry->is_regular_file(none) ? entry->file_size(none) : 0;
+    if (!none) bytes += size;
+  }
+  return bytes;
+}
+
+// With a quarter of a gigabyte a scene it was 1.7 GB.
+TEST(HostileSpace, OneSubmissionTakesAGigabyteAtMost) {
+  const Surroundings around(canary());
+  const fs::path upload = around.uploads() / "student1", temporary = around.uploads() / "tmp";
+  ASSERT_TRUE(handIn("disk_of_passes", attackOf("disk_of_passes"), upload, around));
+  fs::create_directory(temporary);
+  Running running(words({"grade", "mirror", upload, "--no-diagnosis", "--out", around.out()}),
+                  {{"TMPDIR", temporary}});
+  std::uintmax_t most = 0;
+  while (!running.says("grading student1: judging", 0.01))
+    most = std::max(most, bytesBelow(temporary));
+  const Ended ended = running.wait(100);
+  most = std::max(most, bytesBelow(temporary));
+  EXPECT_EQ(ended.exitCode, 0) << ended.errors;
+  std::cout << "at most " << (most >> 20) << " MiB\n";
+  EXPECT_LT(most, std::uintmax_t{1} << 30);
+  EXPECT_GT(most, std::uintmax_t{500} << 20) << "it was not tried";
+  EXPECT_EQ(bytesBelow(temporary), 0U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Attacks, HostileSubmission, testing::ValuesIn(attacks()),
                          [](const auto& info) { return info.param; });
 

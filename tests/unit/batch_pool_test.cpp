@@ -176,8 +176,21 @@ TEST_F(BatchPool, AWorkerThatNeverStartsEndsTheRun) {
     run(kGood, 3, 2, 60, "exit 3");
     FAIL() << "must throw";
   } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "the grader's own process ended with code 3 before it could grade anything. Mend that, "
+        "then run the command again");
+  }
+}
+
+TEST_F(BatchPool, AWorkerThatIsNeverReadyEndsTheRun) {
+  try {
+    run(kGood, 1, 1, 1.0, "exec sleep 1000");
+    FAIL() << "must throw";
+  } catch (const std::runtime_error& error) {
     EXPECT_STREQ(error.what(),
-                 "the grader's own process ended with code 3 before it could grade anything");
+                 "the grader itself was stuck for 1 s before it could grade anything. Mend that, "
+                 "then run the command again");
   }
 }
 

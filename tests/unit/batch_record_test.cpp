@@ -2,6 +2,7 @@
 
 #include "batch/record.hpp"
 
+#include "few_descriptors.hpp"
 #include "framework_temporary_folder.hpp"
 #include "report_samples.hpp"
 
@@ -10,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 namespace {
 
@@ -109,6 +111,22 @@ TEST(BatchRecord, WhatIsDamagedIsGradedAgain) {
   }
   batch::saveRecord(folder, sample("s2"));
   EXPECT_FALSE(batch::loadRecord(folder)) << "another student's, copied there";
+}
+
+// Else its student would have no row, and nobody would be told.
+TEST(BatchRecord, WhatCantBeReadNowIsNeitherDamagedNorMissing) {
+  const TemporaryFolder out;
+  const fs::path folder = out.path() / "s1";
+  fs::create_directory(folder);
+  batch::saveRecord(folder, sample("s1"));
+  const FewDescriptors few(0);
+  try {
+    batch::loadRecord(folder);
+    FAIL() << "must throw";
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.what(),
+              "can't read " + (folder / "record.json").string() + ": Too many open files");
+  }
 }
 
 TEST(BatchRecord, OnlyFoldersOfResultsAreRead) {

@@ -1,3 +1,4 @@
+#include "few_descriptors.hpp"
 #include "intake/unpack.hpp"
 #include "intake_samples.hpp"
 
@@ -41,6 +42,38 @@ TEST_F(FolderUpload, BecomesPlainFiles) {
   EXPECT_EQ(textOf(into / "floor.cpp"), "\xEF\xBB\xBFint a;\r\n") << "BOM and CRLF stay";
   EXPECT_EQ(textOf(into / "textures/tile.png"), std::string("\0\xFF", 2));
   EXPECT_EQ(fs::status(into / "floor.cpp").permissions(), fs::perms(0644));
+}
+
+// Else they would count as not handed in, or the upload as empty.
+TEST_F(FolderUpload, WhatCantBeOpenedForWantOfDescriptorsIsNoFaultOfTheUpload) {
+  folder.write("student1/floor.cpp", "a");
+  folder.write("student1/hw/mirror.vert", "b");
+  std::size_t refused = 0;
+  for (rlim_t left = 0; left < 6; ++left) {
+    fs::remove_all(into);
+    Unpacked result;
+    std::string error;
+    {
+      const FewDescriptors few(left);
+      try {
+        result = unpackUpload();
+      } catch (const std::system_error& problem) {
+        error = problem.what();
+      } catch (const UsageError& problem) {
+        error = problem.what();
+      }
+    }
+    EXPECT_EQ(result.problem, "") << left;
+    if (error.empty()) {
+      EXPECT_THAT(filesIn(into), ElementsAre("floor.cpp", "hw/mirror.vert")) << left;
+      EXPECT_THAT(result.refused, IsEmpty()) << left;
+    } else {
+      ++refused;
+      EXPECT_THAT(error, HasSubstr("Too many open files")) << left;
+    }
+  }
+  EXPECT_GE(refused, 1U);
+  EXPECT_LE(refused, 5U);
 }
 
 TEST_F(FolderUpload, LinksAndDevicesAreRefusedByName) {
