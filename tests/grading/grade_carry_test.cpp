@@ -56,6 +56,33 @@ TEST(CarriedForward, AWrongTextureLeavesTheSamplingItsPoints) {
   EXPECT_GT(frames.at(0).at("wrong_share"), 0.02);
 }
 
+TEST(CarriedForward, RunsThatSeeHiddenScenesAreAnnounced) {
+  using ggrade::grading::Runs;
+  const ggrade::Target target = ggrade::findTarget(kSource / "assignments", "mirror");
+  const fs::path solutions = kSource / "solutions/floor";
+  std::vector<std::pair<Runs, std::size_t>> said; // and how many scenes were drawn before
+  std::size_t drawn = 0;
+  ggrade::grading::GraderOptions options;
+  options.diagnosis = options.pictures = false;
+  options.threads = 1;
+  options.progress = [&](const std::string& what, std::size_t done, std::size_t) {
+    if (what == "rendering") drawn = done - 1;
+  };
+  options.begins = [&](Runs kind) { said.emplace_back(kind, drawn); };
+  const auto plan = ggrade::grading::drawScenes(target, solutions);
+  ggrade::grading::Grader grader(target, solutions, plan, options);
+  grader.prepare();
+  drawn = 0;
+  const Submission submission = Submission::example("scale_on_the_left");
+  const auto result = grader.gradeTrusted(submission.path());
+  const std::size_t all = plan.scenes.size();
+  // Build and public scene, then the hidden ones, then those with the reference's pixels.
+  EXPECT_THAT(said, ElementsAre(std::pair(Runs::told, 0), std::pair(Runs::hidden, 1),
+                                std::pair(Runs::none, all), std::pair(Runs::hidden, all),
+                                std::pair(Runs::none, all)))
+      << result.score;
+}
+
 TEST(CarriedForward, SamplingThatIsWrongTooEarnsNothing) {
   Submission both = Submission::example("scale_on_the_left");
   both.replace("tile.frag", "vec2 at = gl_FragCoord.xy / uViewport;",
