@@ -121,13 +121,10 @@ public:
       last_ = inode();
       return last_ - before;
     }
-    if (channel == "memory") {
-      struct sysinfo all {};
-      return sysinfo(&all) == 0 ? double(all.freeram) : 0;
-    }
-    if (channel == "free space") {
-      struct statfs all {};
-      return statfs(place.c_str(), &all) == 0 ? double(all.f_bfree) : 0;
+    if (channel == "memory" || channel == "free space") {
+      const double before = free();
+      sleepUntil(end);
+      return free() - before;
     }
     if (channel == "locks") {
       struct flock lock {};
@@ -163,6 +160,13 @@ private:
     close(ends[0]);
     close(ends[1]);
     return double(status.st_ino);
+  }
+  /// Bytes or blocks; what isn't told is 0.
+  double free() const {
+    struct sysinfo memory {};
+    if (channel == "memory") return sysinfo(&memory) == 0 ? double(memory.freeram) : 0;
+    struct statfs disk {};
+    return statfs(place.c_str(), &disk) == 0 ? double(disk.f_bfree) : 0;
   }
   template <class Work> static double timed(Work&& work) {
     const auto start = nanoseconds();

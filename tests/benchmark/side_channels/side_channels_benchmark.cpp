@@ -136,8 +136,8 @@ int main(int argc, char** argv) {
   const std::vector<int> fast{200, 1000, 5000}, slow{1000, 2000, 5000, 10000, 20000};
   const std::vector<Channel> channels = {{"processor", "", "", slow, false},
                                          {"memory bus", "", "", slow, false},
-                                         {"memory", "", "", {20000, 50000, 100000}, true},
-                                         {"free space", "/tmp", "/tmp", slow, true},
+                                         {"memory", "", "", {20000, 50000, 100000}, false},
+                                         {"free space", "/tmp", "/tmp", slow, false},
                                          {"locks", largest, largest, fast, false},
                                          {"inode numbers", "", "", slow, true},
                                          {"pages", largest, scratch, fast, true},
