@@ -1,7 +1,12 @@
 // The system calls that the filter refuses.
 #include "sandbox_fixture.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
+#include <fstream>
+#include <future>
+#include <iostream>
 
 using namespace ggrade::sandbox;
 
@@ -31,6 +36,33 @@ TEST_P(SandboxKernel, NoKeyringsNoBpfNoOthers) {
 TEST_P(SandboxKernel, SharedFilesAreNoBlackboard) {
   if (delegated()) return;
   expectRefused("blackboard", {"/usr/bin/env"});
+}
+
+/// Memory of the kernel's that belongs to no process and can't be taken back, in bytes.
+std::int64_t kernelMemory() {
+  std::ifstream in("/proc/meminfo");
+  for (std::string key; in >> key;)
+    if (std::int64_t kilobytes = 0; key == "SUnreclaim:" && in >> kilobytes)
+      return kilobytes * 1024;
+  return 0;
+}
+
+// A million locks would be some 220 MB. What else a process can make the kernel keep is bounded by
+// the numbers of its descriptors and mappings.
+TEST_P(SandboxKernel, KeepsLittleMemoryForACommand) {
+  if (delegated()) return;
+  const std::int64_t before = kernelMemory();
+  ASSERT_GT(before, 0);
+  std::int64_t most = 0;
+  std::future<Result> run = std::async(std::launch::async, [&] {
+    return SandboxKernel::run(attack("kernelMemory", {"/usr/bin/env"}));
+  });
+  while (run.wait_for(std::chrono::milliseconds(10)) != std::future_status::ready)
+    most = std::max(most, kernelMemory() - before);
+  const Result result = run.get();
+  EXPECT_THAT(result.standardOutput, testing::StartsWith("0 locks, ")) << describe(result);
+  EXPECT_LT(most, 100 << 20) << result.standardOutput;
+  std::cout << result.standardOutput << most / 1048576 << " MB\n";
 }
 
 // With these arguments the kernel would answer something else.

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <fcntl.h>
 #include <sched.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/mman.h>
@@ -16,6 +18,7 @@
 #include <sys/syscall.h>
 #include <sys/uio.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 namespace attacker {
@@ -118,6 +121,42 @@ int kernelAttack(const Arguments&) {
   return attempts.outcome();
 }
 
+/// What makes the kernel keep memory that belongs to no process: a million locks, watches, timers,
+/// descriptors, mappings. Holds on for a moment, and prints how much of it there is.
+int kernelMemoryAttack(const Arguments& arguments) {
+  const int file = open(arguments.at(0).c_str(), O_RDONLY);
+  int locks = 0, watches = 0, timers = 0, descriptors = 0, mappings = 0;
+  for (int i = 0; i < 1000000; ++i) {
+    struct flock lock {};
+    lock.l_type = F_RDLCK;
+    lock.l_start = 2 * i; // neighbours would become one
+    lock.l_len = 1;
+    if (fcntl(file, F_OFD_SETLK, &lock) != 0) break;
+    ++locks;
+  }
+  std::vector<int> queues;
+  for (int queue = 0; queues.size() < 100 && (queue = epoll_create1(0)) >= 0;)
+    queues.push_back(queue);
+  while (eventfd(0, 0) >= 0) ++descriptors;
+  for (const int queue : queues)
+    for (int watched = 0; watched < 256; ++watched) {
+      epoll_event event{};
+      watches += epoll_ctl(queue, EPOLL_CTL_ADD, watched, &event) == 0;
+    }
+  for (timer_t timer; timers < 100000 && timer_create(CLOCK_MONOTONIC, nullptr, &timer) == 0;)
+    ++timers;
+  // Protections that alternate keep the kernel from joining them.
+  for (; mappings < 100000; ++mappings)
+    if (mmap(nullptr, 4096, mappings % 2 ? PROT_READ : PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1,
+             0) == MAP_FAILED)
+      break;
+  std::printf("%d locks, %zu queues, %d watches, %d timers, %d descriptors, %d mappings\n", locks,
+              queues.size(), watches, timers, descriptors, mappings);
+  std::fflush(stdout);
+  usleep(500000);
+  return kRefused;
+}
+
 /// Ways to leave a note on a file that every sandbox sees, or to read one: locks, leases, watches,
 /// and which of its pages are in memory.
 int blackboardAttack(const Arguments& arguments) {
@@ -209,6 +248,7 @@ void addKernelAttacks(Attacks& attacks) {
                   {"namespace", namespaceAttack},
                   {"kernel", kernelAttack},
                   {"blackboard", blackboardAttack},
+                  {"kernelMemory", kernelMemoryAttack},
                   {"filter", filterAttack},
                   {"foreign", foreignAttack}});
 }
