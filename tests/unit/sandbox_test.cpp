@@ -19,6 +19,7 @@ bool holds(const std::vector<std::string>& list, const std::vector<std::string>&
 
 Command commandWithMount(const std::string& host, const std::string& inside) {
   Command command;
+  command.arguments = {"/program"};
   command.mounts = {{host, inside}};
   return command;
 }
