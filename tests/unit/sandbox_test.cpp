@@ -65,6 +65,7 @@ TEST(View, NamesSourcesByPathOrByStage) {
 
 TEST(View, HasTheLockedDoorsAndASizeForEveryWritableFolder) {
   Command command;
+  command.arguments = {"/program"};
   command.limits.scratchBytes = 12345678;
   command.privateCopies = {{"/usr/bin", "/cache"}};
   const View view = composeView(command, "/usr/bin/true", false, 7, 8);
@@ -77,9 +78,23 @@ TEST(View, HasTheLockedDoorsAndASizeForEveryWritableFolder) {
     EXPECT_TRUE(holds(view.arguments, {"--size", "12345678", "--tmpfs", folder})) << folder;
   EXPECT_THAT(view.copies, ElementsAre("/run/originals/0", "/cache"));
   EXPECT_EQ(std::count(view.arguments.begin(), view.arguments.end(), "--bind"), 0);
+#ifndef __SANITIZE_ADDRESS__
+  EXPECT_EQ(std::count(view.arguments.begin(), view.arguments.end(), "--proc"), 0);
+#endif
+  EXPECT_TRUE(holds(view.arguments, {"--ro-bind", "/usr/bin", "/usr/bin"}));
   // Nothing may be added after the root has become read-only.
   EXPECT_EQ(*std::prev(view.arguments.end(), 2), "--remount-ro");
   EXPECT_EQ(view.arguments.back(), "/");
+}
+
+TEST(View, HasTheSystemsFilesAloneWhereTheyAreNamed) {
+  Command command;
+  command.arguments = {"/program"};
+  command.systemFiles = {"/usr/bin/env"};
+  const View view = composeView(command, "/usr/bin/true", false, 7, 8);
+  EXPECT_TRUE(holds(view.arguments, {"--ro-bind", "/usr/bin/env", "/usr/bin/env"}));
+  EXPECT_FALSE(holds(view.arguments, {"--ro-bind", "/usr/bin", "/usr/bin"}));
+  EXPECT_FALSE(holds(view.arguments, {"--ro-bind", "/usr/lib", "/usr/lib"}));
 }
 
 TEST(View, RefusesMountsThatCoverTheSystem) {
