@@ -132,6 +132,7 @@ std::vector<channel::PlannedFrame> plan(const std::vector<double>& times, std::u
 void admitSanitizers(sandbox::Command& command) {
   for (const char* name : {"ASAN_OPTIONS", "LSAN_OPTIONS", "UBSAN_OPTIONS"})
     if (const char* value = std::getenv(name)) command.environment.emplace_back(name, value);
+  command.systemFiles.clear(); // their own libraries are not among them
   command.limits.addressSpaceBytes = std::numeric_limits<std::uint64_t>::max();
   command.limits.cpuSeconds *= 4;
   command.limits.wallSeconds *= 4;
