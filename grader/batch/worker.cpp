@@ -25,7 +25,7 @@ using nlohmann::json;
 namespace {
 
 /// Whoever waits for a line that can't be written sees the end of this process instead.
-void say(const std::string& line) {
+void tell(const std::string& line) {
   if (!(std::cout << line << std::endl))
     throw std::system_error(errno, std::generic_category(), "a worker can't answer");
 }
@@ -62,7 +62,7 @@ private:
     how.many = true;
     how.threads = 1; // a worker keeps to its own core
     how.begins = [](grading::Runs kind) {
-      say(batch::toJson(kind).dump());
+      tell(batch::toJson(kind).dump());
       std::string go;
       if (kind != grading::Runs::none && !std::getline(std::cin, go)) throw grading::Interrupted{};
     };
@@ -82,7 +82,7 @@ void endWithParent() {
 }
 
 void answerJobs(const std::function<Reply(const Job&)>& grade) {
-  say("ready");
+  tell("ready");
   for (std::string line; std::getline(std::cin, line);) {
     Reply reply;
     try {
@@ -93,7 +93,7 @@ void answerJobs(const std::function<Reply(const Job&)>& grade) {
       reply.problem = report::sanitizeLine(error.what());
       if (reply.problem.empty()) reply.problem = "an error without words";
     }
-    say(toJson(reply).dump());
+    tell(toJson(reply).dump());
   }
 }
 

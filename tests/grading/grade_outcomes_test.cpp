@@ -120,19 +120,23 @@ TEST(Outcome, OutOfMemory) {
 }
 
 TEST(Outcome, BadOutputWhenTheSharedMemoryHoldsGarbage) {
-  // The descriptor is closed and its number forgotten by then; the mapping is still there.
-  Submission garbage = afterSwap(R"(
-    std::ifstream maps("/proc/self/maps");
-    for (std::string line; std::getline(maps, line);) {
-      unsigned long from = 0;
-      if (line.find("ggrade-capture") == line.npos || std::sscanf(line.c_str(), "%lx", &from) != 1)
-        continue;
-      std::fill_n(reinterpret_cast<char*>(from) + 1024, 8192, '\xff');
-      _exit(0);
-    }
+  // Before any library's constructor runs, the descriptor is still open.
+  Submission garbage =
+      afterSwap("    std::fill_n(channel + 1024, 8192, '\\xff');\n    _exit(0);\n");
+  garbage.replace("floor.cpp", "#include <gg/gg.hpp>\n", R"(#include <gg/gg.hpp>
+#include <cstdio>
+#include <sys/mman.h>
+#include <unistd.h>
+char* channel = nullptr;
+void mapChannel(int, char**, char** variable) {
+  int file = -1;
+  for (; *variable; ++variable) std::sscanf(*variable, "GG_CAPTURE_FD=%d", &file);
+  channel = static_cast<char*>(
+      mmap(nullptr, 16384, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0));
+}
+[[gnu::section(".preinit_array"), gnu::used]] void (*const mapHook)(int, char**, char**) =
+    mapChannel;
 )");
-  garbage.replace("floor.cpp", "#include <gg/gg.hpp>\n",
-                  "#include <gg/gg.hpp>\n#include <fstream>\n#include <unistd.h>\n");
   const Graded graded = gradeByTool(garbage);
   expectEnd(graded, "bad_output", HasSubstr("makes no sense"));
   EXPECT_EQ(graded.results.at("score"), 0);
