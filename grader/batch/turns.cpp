@@ -7,7 +7,7 @@ namespace ggrade::batch {
 using grading::Runs;
 
 void Turns::ask(int who, Runs kind, Clock::time_point now) {
-  running_.erase(who);
+  if (kind != kind_) running_.erase(who); // else it goes on
   waiting_.erase(who);
   if (kind != Runs::none) waiting_[who] = {kind, now};
 }
@@ -19,12 +19,12 @@ std::vector<int> Turns::grant(Clock::time_point now) {
   const bool othersWaitLong = std::ranges::any_of(order, [&](const auto& one) {
     return one.second.kind != kind_ && now - one.second.since >= kPatience;
   });
+  const bool isClosed = !running_.empty() && othersWaitLong;
   std::vector<int> granted;
-  if (!running_.empty() && othersWaitLong) return granted;
   for (const auto& [who, wish] : order)
-    if (wish.kind == kind_) {
+    if (wish.kind == kind_ && (!isClosed || running_.contains(who))) {
       granted.push_back(who);
-      running_[who] = kind_;
+      running_.insert(who);
       waiting_.erase(who);
     }
   return granted;

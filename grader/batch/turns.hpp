@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace ggrade::batch {
@@ -21,6 +22,7 @@ public:
   static constexpr std::chrono::seconds kPatience{2};
 
   /// `who` has ended what it did and wants to go on with runs of this kind; `none` wants nothing.
+  /// With the same kind as before it gives up nothing.
   void ask(int who, grading::Runs kind, Clock::time_point now = Clock::now());
   /// Those who waited and may go on now, the longest-waiting first.
   std::vector<int> grant(Clock::time_point now = Clock::now());
@@ -32,7 +34,7 @@ private:
   };
 
   grading::Runs kind_ = grading::Runs::none; ///< of all that go on
-  std::map<int, grading::Runs> running_;
+  std::set<int> running_;
   std::map<int, Wish> waiting_;
 };
 

@@ -47,6 +47,18 @@ TEST(BatchTurns, WhoWaitsLongIsNotOvertaken) {
   EXPECT_THAT(turns.grant(later), ElementsAre(3));
 }
 
+TEST(BatchTurns, WhoGoesOnWithTheSameKindWaitsForNobody) {
+  Turns turns;
+  turns.ask(1, Runs::told, kStart);
+  EXPECT_THAT(turns.grant(kStart), ElementsAre(1));
+  turns.ask(2, Runs::hidden, kStart);
+  const auto later = kStart + Turns::kPatience;
+  turns.ask(1, Runs::told, later); // an upload is unpacked, now it is built
+  EXPECT_THAT(turns.grant(later), ElementsAre(1));
+  turns.ask(1, Runs::hidden, later);
+  EXPECT_THAT(turns.grant(later), ElementsAre(2, 1));
+}
+
 TEST(BatchTurns, WhoIsGoneKeepsNobody) {
   Turns turns;
   turns.ask(1, Runs::told, kStart);
