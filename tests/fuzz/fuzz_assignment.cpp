@@ -1,20 +1,13 @@
 // Any bytes as an assignment's declarations, as the grader reads them. Only UsageError may be
 // thrown, with the file; points and weights that are taken can be added up.
+#include "require.hpp"
+
 #include "../unit/framework_temporary_folder.hpp"
 
 #include "assignment/assignment.hpp"
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-} // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ggrade;

@@ -2,6 +2,8 @@
 /// \file
 /// What the trusted process does with a bundle, and what must hold whatever stands in it.
 
+#include "require.hpp"
+
 #include "intake/contents.hpp"
 #include "intake/names.hpp"
 #include "intake/packed.hpp"
@@ -12,10 +14,6 @@ namespace ggrade::intake {
 
 inline constexpr Limits kFuzzLimits = {
     .entries = 50, .clutter = 50, .bytes = 1 << 20, .fileBytes = 1 << 18, .expandedBytes = 1 << 22};
-
-inline void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 /// Takes the entries as an upload's, and ends the program where a path is unsafe.
 inline void takeAsUpload(const std::vector<Entry>& entries) {

@@ -1,20 +1,17 @@
 // Any bytes as a table: read and written they are the same, and a cell that was set is read back,
 // with every other cell as before. Only UsageError may be thrown.
+#include "require.hpp"
+
 #include "assignment/usage_error.hpp"
 #include "gradebook/csv.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 
 using ggrade::gradebook::Csv;
 
 namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 void requireSameCells(const Csv& a, const Csv& b) {
   require(a.rows() == b.rows() && a.delimiter() == b.delimiter());

@@ -2,16 +2,13 @@
 /// \file
 /// Recorded passes, read as rubrics, reports and the diagnosis read them.
 
+#include "require.hpp"
+
 #include "trace/trace.hpp"
 
-#include <cstdlib>
 #include <cstring>
 
 namespace ggrade {
-
-inline void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 inline void lookAt(const trace::Trace& trace) {
   for (std::size_t i = 0; i < trace.frames.size(); ++i)

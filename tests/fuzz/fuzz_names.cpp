@@ -1,18 +1,15 @@
 // Any bytes as the name of an upload, a file or a student: what is shown is UTF-8 without control
 // characters, what becomes a folder stays one, and nothing invisible makes a student another one.
+#include "require.hpp"
+
 #include "gradebook/look_alike.hpp"
 #include "intake/layouts.hpp"
 #include "intake/names.hpp"
 #include "report/text.hpp"
 
 #include <cstdint>
-#include <cstdlib>
 
 namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 void requireShowable(const std::string& text) {
   require(!text.empty() && ggrade::intake::isUtf8(text) && !ggrade::intake::hasControl(text));

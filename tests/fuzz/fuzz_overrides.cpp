@@ -1,6 +1,8 @@
 // Any bytes as what an instructor decides: a table of overrides, one of times, a late rule. Only
 // UsageError may be thrown; scores stay finite and not below 0, and whatever is given beyond what
 // an item can give is marked.
+#include "require.hpp"
+
 #include "assignment/usage_error.hpp"
 #include "gradebook/lateness.hpp"
 #include "gradebook/overrides.hpp"
@@ -8,15 +10,10 @@
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 
 using namespace ggrade::gradebook;
 
 namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 const std::vector<MachineScore> kScores = {
     {"ada", 60, {{"gain", 60, 0, 100}, {"keep", 0, -50, 0}, {"bonus", 0, 0, 10}}, 110},

@@ -1,20 +1,13 @@
 // Any bytes as what is kept of a submission: it is taken whole or not at all, never with an
 // exception, and what was taken is the same when it was written and read again.
+#include "require.hpp"
+
 #include "../unit/framework_temporary_folder.hpp"
 
 #include "batch/record.hpp"
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
-
-namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
-
-} // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ggrade;

@@ -1,19 +1,16 @@
 // Any bytes as an assignment's declarations and a scene. Only SceneError may be thrown, with a
 // message of one line, and every value that is taken keeps to what its key allows.
+#include "require.hpp"
+
 #include <gg/declarations.hpp>
 #include <gg/error.hpp>
 #include <gg/scene.hpp>
 
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 constexpr std::string_view kDeclared = R"({
   "materials": ["object", "floor"],

@@ -1,6 +1,8 @@
 // Any bytes as a worksheet of Moodle or Canvas: filled in with nothing they are the same; filled in
 // with grades, only the cells of grade and feedback differ, and filling in once more changes
 // nothing. Only UsageError may be thrown.
+#include "require.hpp"
+
 #include "assignment/usage_error.hpp"
 #include "gradebook/cells.hpp"
 #include "gradebook/csv.hpp"
@@ -8,15 +10,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 
 using namespace ggrade::gradebook;
 
 namespace {
-
-void require(bool holds) {
-  if (!holds) std::abort();
-}
 
 // So that most inputs get beyond the header. The cells that may change are called as in kMayChange.
 constexpr std::string_view kMoodle[] = {
