@@ -18,7 +18,6 @@
 #include <atomic>
 #include <chrono>
 #include <future>
-#include <tuple>
 
 namespace ggrade::grading {
 
@@ -211,13 +210,7 @@ void nameOutcome(const std::vector<GradedScene>& scenes, const References& refer
   if (result.outcome == Outcome::graded)
     if (const auto seen = remarks(first); !seen.empty())
       result.detail = scenes[0].name + ", " + seen[0];
-  const channel::Capture own = references.renderer();
-  result.fingerprint = fingerprint(own);
-  for (const auto& [what, claim, known] :
-       {std::tuple{"gl_version", first.glVersion, own.glVersion},
-        std::tuple{"gl_renderer", first.glRenderer, own.glRenderer}})
-    if (!claim.empty() && claim != known)
-      result.fingerprint.emplace_back(std::string("the program's claim: ") + what, claim);
+  result.fingerprint = fingerprint(references.renderer(), rendererOf(first));
 }
 
 /// Says so where two runs of the first scene differ.

@@ -377,12 +377,20 @@ std::string pins() {
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> fingerprint(const channel::Capture& capture) {
+std::vector<std::pair<std::string, std::string>> fingerprint(const Renderer& renderer,
+                                                             const Renderer& claim) {
   std::vector<std::pair<std::string, std::string>> all = {{"ggrade", toolchain::kVersion},
                                                           {"compiler", toolchain::kCompilerVersion},
-                                                          {"gl_version", capture.glVersion},
-                                                          {"gl_renderer", capture.glRenderer}};
+                                                          {"gl_version", renderer.version},
+                                                          {"gl_renderer", renderer.name}};
   all.insert(all.end(), kPins.begin(), kPins.end());
+  const auto addClaim = [&](const char* what, const std::string& claimed,
+                            const std::string& known) {
+    if (!claimed.empty() && claimed != known)
+      all.emplace_back(std::string("the program's claim: ") + what, claimed);
+  };
+  addClaim("gl_version", claim.version, renderer.version);
+  addClaim("gl_renderer", claim.name, renderer.name);
   return all;
 }
 

@@ -90,7 +90,18 @@ const std::vector<std::pair<std::string, std::string>>& rendererPins();
 /// Compiler flags and settings of the renderer, the same for every build and run.
 std::string pins();
 
+/// What draws: GL_VERSION and GL_RENDERER.
+struct Renderer {
+  std::string version, name;
+};
+
+inline Renderer rendererOf(const channel::Capture& capture) {
+  return {capture.glVersion, capture.glRenderer};
+}
+
 /// What can change a pixel without the submission changing: renderer, compiler, pinned settings.
-std::vector<std::pair<std::string, std::string>> fingerprint(const channel::Capture& capture);
+/// Where a program claims to be drawn by another renderer, the claim comes last, as such.
+std::vector<std::pair<std::string, std::string>> fingerprint(const Renderer& renderer,
+                                                             const Renderer& claim);
 
 } // namespace ggrade::grading

@@ -84,13 +84,10 @@ const char* const kRenderer = "renderer.json";
 
 } // namespace
 
-channel::Capture References::renderer() const {
-  channel::Capture capture;
-  if (scenes.empty()) return capture;
+Renderer References::renderer() const {
+  if (scenes.empty()) return {};
   const json kept = readJson(scenes.front().reference / kRenderer);
-  capture.glVersion = kept.at("version").get<std::string>();
-  capture.glRenderer = kept.at("renderer").get<std::string>();
-  return capture;
+  return {kept.at("version"), kept.at("renderer")};
 }
 
 std::string referenceKey(const Target& target, const fs::path& solutionFolder) {

@@ -21,9 +21,8 @@ struct References {
   ShaderCache shaders;                      ///< warmed by the stub
   ShaderCache ownShaders; ///< warmed by the reference; for programs whose words reach no student
 
-  /// The capture of the first scene's reference, its GL_VERSION and GL_RENDERER alone: what draws
-  /// on this machine, whatever a submission says.
-  channel::Capture renderer() const;
+  /// Of the first scene's reference: what draws on this machine, whatever a submission says.
+  Renderer renderer() const;
 };
 
 /// What the pictures of the reference and the stub depend on besides the scenes: tool, renderer and

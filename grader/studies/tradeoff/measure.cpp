@@ -64,7 +64,10 @@ grading::Rendering Bench::run(const json& scene, const std::vector<double>& time
     throw std::runtime_error(fmt::format("the reference fails with quality {}: {}\n{}",
                                          scene.at("quality").dump(), rendering.happened.detail,
                                          rendering.happened.output));
-  if (machine_.empty()) machine_ = grading::fingerprint(rendering.capture);
+  if (machine_.empty()) {
+    const grading::Renderer renderer = grading::rendererOf(rendering.capture);
+    machine_ = grading::fingerprint(renderer, renderer);
+  }
   return rendering;
 }
 
