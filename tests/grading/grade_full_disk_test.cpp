@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
+#include <numeric>
 #include <regex>
 
 #include <sys/mount.h>
@@ -100,7 +101,11 @@ TEST_P(FullDisk, ThatFillsUpAtAnyStepCostsNone) {
 
 TEST_P(FullDisk, NorDoDescriptorsThatAreUsedUp) {
   std::size_t right = 0;
-  for (const int most : {8, 12, 16, 18, 20, 22, 24, 28, 256}) {
+  // Each number from too few for any sandbox to enough for a build's, with some inherited ones.
+  std::vector<int> limits(11);
+  std::iota(limits.begin(), limits.end(), 16);
+  for (const int most : {8, 48, 256}) limits.push_back(most);
+  for (const int most : limits) {
     SCOPED_TRACE(std::to_string(most) + " descriptors");
     const fs::path out = folder_.path() / std::to_string(most);
     tool::Arguments words = {"/bin/sh", "-c", "ulimit -n " + std::to_string(most) + "; exec \"$@\"",
@@ -111,7 +116,7 @@ TEST_P(FullDisk, NorDoDescriptorsThatAreUsedUp) {
     expectRightOrNone(tool::Running(words).wait(100), out, points_, right);
   }
   EXPECT_GE(right, 1U);
-  EXPECT_LE(right, 8U);
+  EXPECT_LT(right, limits.size()) << "there were always enough";
 }
 
 // The second one is drawn again for what its first fault hides.
