@@ -101,8 +101,8 @@ bool createContext(GLFWwindow& window, const FramebufferHints& framebuffer,
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const ContextHints& wanted = window.contextAttributes;
-  window.context = OsmesaContext::create(requestFor(wanted, framebuffer),
-                                         share ? share->context.get() : nullptr);
+  window.context = contextLibrary().create(requestFor(wanted, framebuffer),
+                                           share ? share->context.get() : nullptr);
   if (!window.context) {
     reportError(GLFW_VERSION_UNAVAILABLE, "OpenGL version %i.%i is not available offscreen",
                 wanted.major, wanted.minor);

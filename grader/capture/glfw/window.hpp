@@ -2,9 +2,9 @@
 /// \file
 /// One window: what the program asked for, what it is told, and its context.
 
+#include "capture/context.hpp"
 #include "capture/context_state.hpp"
 #include "capture/glfw/hints.hpp"
-#include "capture/osmesa_context.hpp"
 #include "capture/run.hpp"
 
 #include <GLFW/glfw3.h>
@@ -66,7 +66,7 @@ struct GLFWwindow {
     GLFWdropfun drop = nullptr;
   } callbacks;
 
-  std::unique_ptr<ggrade::capture::OsmesaContext> context;
+  std::unique_ptr<ggrade::capture::Context> context;
   ggrade::capture::ContextState state;
   std::chrono::steady_clock::time_point lastSwap;
 };
