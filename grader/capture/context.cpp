@@ -30,7 +30,7 @@ public:
   explicit NoContexts(std::string why) : why_(std::move(why)) {}
   std::unique_ptr<Context> create(const ContextRequest& /*request*/,
                                   const Context* /*share*/) override {
-    say("nothing to draw with: %s", why_.c_str());
+    say("%s", why_.c_str());
     return nullptr;
   }
   void clearCurrent() override {}
