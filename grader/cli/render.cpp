@@ -80,6 +80,7 @@ json trace(const grading::Rendering& rendering, const std::vector<trace::CopyFil
               {"rows", "top first"},
               {"values", "as stored in the window, 8 bits a channel"},
               {"outcome", results::name(rendering.happened.outcome)},
+              {"context", grading::drawing().context},
               {"gl_version", capture.glVersion},
               {"gl_renderer", capture.glRenderer},
               {"context_seconds", capture.contextSeconds},

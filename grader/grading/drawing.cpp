@@ -1,5 +1,6 @@
 #include "grading/drawing.hpp"
 
+#include "assignment/usage_error.hpp"
 #include "grading/toolchain.hpp"
 #include "sandbox/descriptor.hpp"
 #include "sandbox/sandbox.hpp"
@@ -67,6 +68,9 @@ Drawing find() {
   const char* const chosen = std::getenv(kVariable);
   std::vector<std::string> tried = {"osmesa", "egl"};
   if (chosen && *chosen && std::string_view(chosen) != "auto") tried = {chosen};
+  for (const std::string& context : tried)
+    if (context != "osmesa" && context != "egl" && context != "gpu")
+      throw UsageError("GGRADE_CONTEXT " + context + ": auto, osmesa, egl or gpu");
   std::string why;
   for (const std::string& context : tried) {
     const sandbox::Result run = runProbe(context);
