@@ -13,6 +13,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <string>
 
 struct GLFWwindow {
   ggrade::capture::WindowHints attributes;
@@ -28,6 +29,7 @@ struct GLFWwindow {
   std::atomic<bool> closeAsked = false;
   std::atomic<bool> needsRefresh = true;
 
+  std::string title;
   int x = 0;
   int y = 0;
   std::array<int, 4> limits{GLFW_DONT_CARE, GLFW_DONT_CARE, GLFW_DONT_CARE, GLFW_DONT_CARE};
