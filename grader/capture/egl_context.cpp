@@ -163,10 +163,15 @@ public:
 private:
   EGLConfig configFor(const ContextRequest& request) const {
     // The fewest bits that are enough come first. No driver has 32 bits of depth for a window.
-    const EGLint attributes[] = {
-        kSurfaceType, kPbufferBit, kRenderableType, kOpenglBit, kRedSize, 8, kGreenSize, 8,
-        kBlueSize, 8, kAlphaSize, 8, kDepthSize, std::min(request.depthBits, 24), kStencilSize,
-        request.stencilBits, kEglNone};
+    const EGLint attributes[] = {kSurfaceType,    kPbufferBit,
+                                 kRenderableType, kOpenglBit,
+                                 kRedSize,        8,
+                                 kGreenSize,      8,
+                                 kBlueSize,       8,
+                                 kAlphaSize,      8,
+                                 kDepthSize,      std::min(request.depthBits, 24),
+                                 kStencilSize,    request.stencilBits,
+                                 kEglNone};
     EGLConfig config = nullptr;
     EGLint count = 0;
     egl_.chooseConfig(egl_.display, attributes, &config, 1, &count);

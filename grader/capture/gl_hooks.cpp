@@ -56,7 +56,8 @@ Table makeTable() {
   return table;
 }
 
-/// The outermost hook of `name`, or null. A name that the context lacks has only hooks without a `next`.
+/// The outermost hook of `name`, or null. A name that the context lacks has only hooks without a
+/// `next`.
 GlFunction hookedGlFunction(const char* name) {
   static const Table table = makeTable();
   const auto found = table.find(name);

@@ -23,9 +23,10 @@ namespace ggrade::capture {
 
 using GlFunction = void (*)();
 
-/// What a program gets when it asks for `name`: the outermost hook, else the context's function, else (a
-/// GL function that it lacks, a GLX function) one that says so once and returns 0. Null when no
-/// GL or GLX function has that name. All ways to a function give the same address's behaviour.
+/// What a program gets when it asks for `name`: the outermost hook, else the context's function,
+/// else (a GL function that it lacks, a GLX function) one that says so once and returns 0. Null
+/// when no GL or GLX function has that name. All ways to a function give the same address's
+/// behaviour.
 GlFunction glFunction(const char* name);
 
 /// The context's own function (context.hpp), past all hooks. Null when there is none.

@@ -1,5 +1,5 @@
-// What glGet* answers otherwise than the context: the program's own debug output, and a window that is
-// double-buffered as GLFW's are.
+// What glGet* answers otherwise than the context: the program's own debug output, and a window that
+// is double-buffered as GLFW's are.
 
 #include "capture/context_state.hpp"
 #include "capture/gl_hooks.hpp"

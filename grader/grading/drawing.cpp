@@ -25,12 +25,10 @@ constexpr const char* kVendor = "/usr/share/glvnd/egl_vendor.d/50_mesa.json";
 sandbox::Result runProbe(const std::string& context) {
   sandbox::Command command;
   command.arguments = {toolchain::kProbe};
-  command.environment = {{"LC_ALL", "C.UTF-8"},
-                         {"GG_CAPTURE_CONTEXT", context},
-                         {"GG_CAPTURE_VERBOSE", "1"},
-                         {"MESA_SHADER_CACHE_DISABLE", "true"},
-                         {"LP_NUM_THREADS", "0"},
-                         {"LD_LIBRARY_PATH", toolchain::kCaptureFolder}};
+  command.environment = {
+      {"LC_ALL", "C.UTF-8"},       {"GG_CAPTURE_CONTEXT", context},
+      {"GG_CAPTURE_VERBOSE", "1"}, {"MESA_SHADER_CACHE_DISABLE", "true"},
+      {"LP_NUM_THREADS", "0"},     {"LD_LIBRARY_PATH", toolchain::kCaptureFolder}};
   command.workingDirectory = "/";
   return sandbox::run(command, sandbox::Isolation::none);
 }

@@ -397,12 +397,10 @@ std::string processor() {
 
 std::vector<std::pair<std::string, std::string>> fingerprint(const Renderer& renderer,
                                                              const Renderer& claim) {
-  std::vector<std::pair<std::string, std::string>> all = {{"ggrade", toolchain::kVersion},
-                                                          {"compiler", toolchain::kCompilerVersion},
-                                                          {"context", drawing().context},
-                                                          {"processor", processor()},
-                                                          {"gl_version", renderer.version},
-                                                          {"gl_renderer", renderer.name}};
+  std::vector<std::pair<std::string, std::string>> all = {
+      {"ggrade", toolchain::kVersion},  {"compiler", toolchain::kCompilerVersion},
+      {"context", drawing().context},   {"processor", processor()},
+      {"gl_version", renderer.version}, {"gl_renderer", renderer.name}};
   all.insert(all.end(), kPins.begin(), kPins.end());
   const auto addClaim = [&](const char* what, const std::string& claimed,
                             const std::string& known) {

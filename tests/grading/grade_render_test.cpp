@@ -70,8 +70,8 @@ TEST_F(Render, BothContextsDrawTheSame) {
 TEST_F(Render, AContextThatIsNotThereIsNamedWithARemedy) {
   const Ended unknown = runTool({"grade", "mirror", folder_.path(), "--context", "gpu"});
   EXPECT_EQ(unknown.exitCode, 2) << "grades come from llvmpipe";
-  const Ended ended = runTool({"render", "floor", "--solution", "--out", out_},
-                              {{"GGRADE_CONTEXT", "nonsense"}});
+  const Ended ended =
+      runTool({"render", "floor", "--solution", "--out", out_}, {{"GGRADE_CONTEXT", "nonsense"}});
   EXPECT_EQ(ended.exitCode, 2);
   EXPECT_THAT(ended.errors, HasSubstr("GGRADE_CONTEXT nonsense: auto, osmesa, egl or gpu"));
 }

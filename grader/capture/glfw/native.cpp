@@ -1,5 +1,5 @@
-// glfw3native.h. Nothing of X11 or GLX stands behind the window, and of EGL nothing that has a window
-// there; OSMesa may. Declared here, since that header needs X11's.
+// glfw3native.h. Nothing of X11 or GLX stands behind the window, and of EGL nothing that has a
+// window there; OSMesa may. Declared here, since that header needs X11's.
 
 #include "capture/channel_writer.hpp"
 #include "capture/glfw/library.hpp"

@@ -24,6 +24,10 @@ int nothingInto(const char* name, void** into) {
 
 } // namespace
 
+#if GLFW_VERSION_MAJOR == 3 && GLFW_VERSION_MINOR < 4
+struct GLFWallocator;
+#endif
+
 #define GG_NEWER [[gnu::visibility("default")]]
 
 extern "C" {
@@ -38,7 +42,7 @@ GG_NEWER int glfwPlatformSupported(int platform) {
 }
 
 /// Memory is the library's own either way.
-GG_NEWER void glfwInitAllocator(const void* /*allocator*/) {}
+GG_NEWER void glfwInitAllocator(const GLFWallocator* /*allocator*/) {}
 
 /// There is no Vulkan here (vulkan.cpp).
 GG_NEWER void glfwInitVulkanLoader(void (* /*loader*/)()) {}
