@@ -218,6 +218,8 @@ Happened buildProgram(const std::string& id, const fs::path& folder, Isolation i
   }
   command.workingDirectory = at.work;
   command.limits.cpuSeconds = kBuildSeconds;
+  // mold 2.40 reserves 8 GiB of addresses; the memory in them is limited as ever.
+  command.limits.addressSpaceBytes = std::uint64_t{16} << 30;
   command.limits.wallSeconds = kWallFactor * kBuildSeconds;
   const sandbox::Result run = sandbox::run(command, isolation, &interrupted);
 

@@ -54,10 +54,12 @@ TEST(CaptureGlfwInit, TellsItsVersionWithoutBeingCalled) {
   int minor = 0;
   int revision = 0;
   glfwGetVersion(&major, &minor, &revision);
-  EXPECT_EQ(major, 3);
-  EXPECT_EQ(minor, 3);
-  EXPECT_EQ(revision, 8);
-  EXPECT_THAT(glfwGetVersionString(), testing::StartsWith("3.3.8"));
+  EXPECT_EQ(major, GLFW_VERSION_MAJOR);
+  EXPECT_EQ(minor, GLFW_VERSION_MINOR);
+  EXPECT_EQ(revision, GLFW_VERSION_REVISION);
+  EXPECT_THAT(glfwGetVersionString(),
+              testing::StartsWith(std::to_string(major) + "." + std::to_string(minor) + "." +
+                                  std::to_string(revision)));
 }
 
 TEST(CaptureGlfwInit, MayBeUndoneAndRepeated) {

@@ -20,6 +20,7 @@ protected:
     command.mounts = {{programs(), "/source"}};
     command.collect = {{"/scratch/program", folder() + "/program"}};
     command.limits.wallSeconds = 60;
+    command.limits.addressSpaceBytes = std::uint64_t{16} << 30; // as for submissions
     return run(command);
   }
   Command program() const {
