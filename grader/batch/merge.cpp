@@ -38,10 +38,10 @@ void requireAlike(const Record& one, const fs::path& folder, const Record& first
   if (one.seed != first.seed)
     refuse(fmt::format("they were graded with seeds {} and {}", first.seed, one.seed));
   if (one.grader != first.grader)
-    refuse(
-        fmt::format("{} in one and {} in the other were graded by other builds of the tool, "
-                    "with another --quality or with other points; --resume with one build on both",
-                    first.row.name, one.row.name));
+    refuse(fmt::format("{} in one and {} in the other were graded by other builds of the tool "
+                       "or another Mesa, with another --quality or with other points; --resume "
+                       "with one build on both",
+                       first.row.name, one.row.name));
 }
 
 } // namespace
@@ -54,7 +54,8 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
   Merged merged;
   State joined;
   std::map<std::string, std::pair<Record, fs::path>> taken;
-  std::set<std::string> refused;           // each share has looked at the whole class
+  std::set<std::string> refused; // each share has looked at the whole class
+  std::set<std::string> machines;
   std::map<std::string, fs::path> damaged; // names of results that can't be read, and where
   for (const fs::path& folder : from) {
     const auto state = loadState(folder);
@@ -70,6 +71,7 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
     std::vector<std::string> unread;
     for (Record& record : loadRecords(folder, &unread)) {
       const std::string name = record.row.folder;
+      if (!record.machine.empty()) machines.insert(record.machine);
       if (!taken.empty())
         requireAlike(record, folder, taken.begin()->second.first, taken.begin()->second.second);
       if (const auto earlier = taken.find(name); earlier != taken.end()) {
@@ -98,9 +100,17 @@ Merged mergeClasses(const std::vector<fs::path>& from, const fs::path& out) {
           "{} is missing here: its record in {} can't be read; grade it again there with "
           "--resume, then merge anew",
           report::sanitizeLine(name, 80), (folder / name).string()));
+  joined.isFinished = merged.remarks.empty();
+  if (machines.size() > 1) {
+    std::string all;
+    for (const std::string& machine : machines) all += (all.empty() ? "" : "; ") + machine;
+    merged.remarks.push_back(
+        fmt::format("drawn on unlike machines: {}. Single pixels may differ by a few levels "
+                    "between them, which no score should show",
+                    all));
+  }
   joined.refused = merged.refused = {refused.begin(), refused.end()};
   merged.selfTest = joined.selfTest;
-  joined.isFinished = merged.remarks.empty();
   saveState(out, joined);
   return merged;
 }

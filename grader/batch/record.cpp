@@ -61,6 +61,10 @@ Record recordOf(const results::Result& result, report::Reveal reveal) {
   record.seed = result.seed;
   record.target = result.part;
   record.sandbox = result.sandbox == "none" ? "none" : sandbox::version();
+  for (const char* name : {"processor", "gl_renderer", "gl_version", "context"})
+    for (const auto& [key, text] : result.fingerprint)
+      if (key == name)
+        record.machine += (record.machine.empty() ? "" : ", ") + report::sanitizeLine(text);
   record.feedback = feedbackOf(result, reveal);
   return record;
 }

@@ -23,6 +23,7 @@ struct Record {
   std::string upload;      ///< hash of what was handed in
   std::string grader;      ///< hash of tool, rubrics, points, reference and scenes
   std::string sandbox;     ///< "bubblewrap 0.8.0" or "none"
+  std::string machine;     ///< what drew it: processor, renderer, GL's version, context
   std::string feedback;    ///< for a gradebook: plain UTF-8
   unsigned run = 0;        ///< of this class; counts regradings
   bool isAdjusted = false; ///< does the file name adjustments?

@@ -67,10 +67,10 @@ ClassRow rowFrom(const json& kept) {
 } // namespace
 
 void saveRecord(const fs::path& folder, const Record& record) {
-  json kept = {{"row", toJson(record.row)},   {"target", record.target},
-               {"seed", record.seed},         {"upload", record.upload},
-               {"grader", record.grader},     {"sandbox", record.sandbox},
-               {"feedback", record.feedback}, {"run", record.run}};
+  json kept = {
+      {"row", toJson(record.row)},   {"target", record.target}, {"seed", record.seed},
+      {"upload", record.upload},     {"grader", record.grader}, {"sandbox", record.sandbox},
+      {"feedback", record.feedback}, {"run", record.run},       {"machine", record.machine}};
   for (const report::Adjustment& one : record.row.adjustments)
     kept["adjustments"].push_back({{"item", one.item},
                                    {"machine", one.machine},
@@ -93,6 +93,7 @@ std::optional<Record> loadRecord(const fs::path& folder) try {
   kept.at("upload").get_to(record.upload);
   kept.at("grader").get_to(record.grader);
   kept.at("sandbox").get_to(record.sandbox);
+  record.machine = kept.value("machine", "");
   kept.at("feedback").get_to(record.feedback);
   kept.at("run").get_to(record.run);
   record.isAdjusted = kept.contains("adjustments");

@@ -219,16 +219,20 @@ TEST_F(Batch, SharesOfTwoMachinesAreJoined) {
   EXPECT_EQ(tool::read(students.out("joined") / "gradebook.csv"),
             tool::read(students.out("whole") / "gradebook.csv"));
   EXPECT_TRUE(fs::exists(students.out("joined") / "student3/student.html"));
+  EXPECT_THAT(merged.out, Not(HasSubstr("unlike machines")));
 
-  // The same student, with another result.
+  // A share of another machine. The same student, with another result.
   json kept = json::parse(tool::read(students.out("two") / "student2/record.json"));
   kept["row"]["score"] = 55;
+  kept["machine"] = "AuthenticAMD Some Processor, llvmpipe";
   kept["row"]["folder"] = "student1";
   fs::create_directory(students.out("two") / "student1");
   std::ofstream(students.out("two") / "student1/record.json") << kept;
   const tool::Ended conflict = tool::runTool(
       {"merge", students.out("one"), students.out("two"), "--out", students.out("other")});
   EXPECT_EQ(conflict.exitCode, 1);
+  EXPECT_THAT(conflict.out, testing::ContainsRegex("drawn on unlike machines: .*llvmpipe \\(LLVM"));
+  EXPECT_THAT(conflict.out, HasSubstr("AuthenticAMD Some Processor, llvmpipe"));
   EXPECT_THAT(conflict.out, HasSubstr("110 in "));
   EXPECT_THAT(conflict.out, HasSubstr("55 in "));
   EXPECT_EQ(gradebook(students.out("other")).at("student1").at(9), "110");
