@@ -93,10 +93,19 @@ std::vector<std::pair<std::string, std::string>> protections() {
   limits << "of each run: time, memory " << (usual.memoryBytes >> 20) << " MiB, " << usual.processes
          << " processes and threads, " << (usual.scratchBytes >> 20) << " MiB of files, "
          << (usual.outputBytes >> 20) << " MiB of output";
-  return {{"namespaces", "users, files, processes, network, shared memory, host name and control "
-                         "groups of its own for each run; no capabilities, the system read only"},
-          {"system calls", "a seccomp filter that allows a list and refuses all else"},
-          {"limits", limits.str()}};
+  std::vector<std::pair<std::string, std::string>> all = {
+      {"namespaces", "users, files, processes, network, shared memory, host name and control "
+                     "groups of its own for each run; no capabilities, the system read only"},
+      {"system calls", "a seccomp filter that allows a list and refuses all else"},
+      {"limits", limits.str()}};
+  // Distributions also mend older versions, which the number doesn't tell.
+  if (int major = 0, minor = 0;
+      std::sscanf(version().c_str(), "bubblewrap %d.%d", &major, &minor) == 2 &&
+      std::pair(major, minor) < std::pair(0, 12))
+    all.emplace_back(version(), "older than 0.12.0, which mends CVE-2026-87766: setting up a mount "
+                                "in a folder that the sandboxed one controls could write outside. "
+                                "Nothing is mounted in such a folder here; update it all the same");
+  return all;
 }
 
 } // namespace ggrade::sandbox

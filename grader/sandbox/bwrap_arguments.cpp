@@ -98,6 +98,13 @@ View composeView(const Command& command, const fs::path& helper, bool staged, in
   }
   for (const Mount& mount : command.mounts) {
     check(mount);
+    // A folder from outside may hold links that somebody made to lead bubblewrap astray while it
+    // makes the place for a mount in it (CVE-2026-87766, mended in 0.12.0).
+    for (const Mount& other : command.mounts)
+      if (const fs::path rest = mount.inside.lexically_relative(other.inside);
+          &other != &mount && !rest.empty() && *rest.begin() != "..")
+        throw std::runtime_error("mount point " + mount.inside.string() + " is in " +
+                                 other.inside.string() + ", which is mounted, too");
     compose.bind("--ro-bind", fs::absolute(mount.host), mount.inside.string());
   }
   // Last, when every mount point exists: / with /dev, /etc, /proc and /run is one tmpfs.

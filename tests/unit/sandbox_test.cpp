@@ -105,6 +105,31 @@ TEST(View, RefusesMountsThatCoverTheSystem) {
         << inside;
 }
 
+// bubblewrap before 0.12.0 follows a link in a mount point's parent: nobody else may have made one.
+TEST(View, NoMountPointLiesInAFolderFromOutside) {
+  Command command = commandWithMount("/usr/bin", "/submission");
+  command.arguments = {"/submission/program"};
+  command.systemFiles = {"/usr/bin/env", "/usr/bin/true"};
+  command.privateCopies = {{"/usr/bin", "/shaders"}};
+  for (const char* inside : {"/scene", "/capture/libGL.so.1", "/capture/libglfw.so.3"})
+    command.mounts.push_back({"/usr/bin/env", inside});
+  const View view = composeView(command, "/usr/bin/true", false, 7, 8);
+  std::vector<std::filesystem::path> folders;
+  std::size_t places = 0;
+  for (std::size_t i = 0; i + 2 < view.arguments.size(); ++i) {
+    if (view.arguments[i] != "--ro-bind" && view.arguments[i] != "--dev-bind") continue;
+    const std::filesystem::path place = view.arguments[i + 2];
+    for (const std::filesystem::path& folder : folders)
+      EXPECT_EQ(*place.lexically_relative(folder).begin(), "..") << place << " in " << folder;
+    if (std::filesystem::is_directory(view.arguments[i + 1])) folders.push_back(place);
+    ++places;
+  }
+  EXPECT_GT(places, 9U);
+  EXPECT_EQ(folders.size(), 2U) << "submission and originals";
+  command.mounts.push_back({"/usr/bin/env", "/submission/data"});
+  EXPECT_THROW(composeView(command, "/usr/bin/true", false, 7, 8), std::runtime_error);
+}
+
 TEST(SeccompFilter, IsOneProgramOfWholeInstructions) {
   const std::string& filter = seccompFilter(true);
   EXPECT_GT(filter.size(), 1000u);
