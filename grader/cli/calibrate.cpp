@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/drift.hpp"
 
 #include "calibration/adopt.hpp"
 #include "calibration/diagnosis.hpp"
@@ -27,7 +28,7 @@ struct CalibrateOptions {
   unsigned seeds = 10, jobs = grading::workers();
   std::uint64_t firstSeed = 1;
   bool haveFirstSeed = false, skipTrials = false, skipDiagnosis = false, json = false;
-  bool diagnosisOnly = false, trade = false;
+  bool diagnosisOnly = false, trade = false, drift = false;
 };
 
 /// The parts that an ID names, each a target of its own.
@@ -259,6 +260,27 @@ void trade(const CalibrateOptions& options) {
   std::cout << (out / "index.html").string() << '\n';
 }
 
+void measureDrift(const CalibrateOptions& options, unsigned seeds) {
+  const fs::path out = resultsFolder(options);
+  requireSandbox();
+  std::vector<std::string> words = {"calibrate",
+                                    options.id,
+                                    "--skip-tolerances",
+                                    "--skip-diagnosis",
+                                    "--seeds",
+                                    std::to_string(seeds),
+                                    "--jobs",
+                                    std::to_string(options.jobs),
+                                    "--quality",
+                                    options.quality};
+  if (options.haveFirstSeed)
+    words.insert(words.end(), {"--first-seed", std::to_string(options.firstSeed)});
+  if (!options.catalogue.empty()) words.insert(words.end(), {"--catalogue", options.catalogue});
+  if (!options.only.empty()) words.emplace_back("--only");
+  words.insert(words.end(), options.only.begin(), options.only.end());
+  drift(words, out, options.json);
+}
+
 } // namespace
 
 void addCalibrate(CLI::App& app) {
@@ -267,9 +289,10 @@ void addCalibrate(CLI::App& app) {
                    "separate");
   auto options = std::make_shared<CalibrateOptions>();
   command->add_option("ID", options->id, "A part, an assignment, or all")->required();
-  command->add_option("--seeds", options->seeds, "Each program is graded with so many seeds")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  auto* seeds =
+      command->add_option("--seeds", options->seeds, "Each program is graded with so many seeds")
+          ->check(CLI::Range(1, 1000))
+          ->capture_default_str();
   auto* first = command
                     ->add_option("--first-seed", options->firstSeed,
                                  "Seeds from here on (default: the assignment's, then 1, 2, ...)")
@@ -296,6 +319,11 @@ void addCalibrate(CLI::App& app) {
                  "smaller windows, fewer hidden scenes, whole-image measures instead of a rubric")
       ->excludes(diagnosis)
       ->excludes(quality);
+  command
+      ->add_flag("--drift", options->drift,
+                 "Measure nothing but how far scores move where EGL draws, or another processor's "
+                 "instructions (one seed, unless --seeds says more)")
+      ->excludes(diagnosis);
   command->add_flag("--json", options->json, "Print calibration.json (trade.json) on stdout");
   auto* adopted = command->add_option("--adopt", options->adopt,
                                       "Take this submission into the catalogue, anonymously");
@@ -315,14 +343,17 @@ void addCalibrate(CLI::App& app) {
       "Examples:\n"
       "  ggrade calibrate all\n"
       "  ggrade calibrate mirror --seeds 2 --only light_not_mirrored variant\n"
+      "  ggrade calibrate mirror --drift\n"
       "  ggrade calibrate all --trade --seeds 1 --out out/trade\n"
       "  ggrade calibrate mirror --adopt uploads/disputed --as variant --name two_textures");
-  command->callback([options, first, adopted] {
+  command->callback([options, first, seeds, adopted] {
     options->haveFirstSeed = first->count() > 0;
     if (adopted->count() > 0)
       adopt(*options);
     else if (options->trade)
       trade(*options);
+    else if (options->drift)
+      measureDrift(*options, seeds->count() > 0 ? options->seeds : 1);
     else
       calibrate(*options);
   });

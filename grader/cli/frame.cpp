@@ -89,6 +89,13 @@ std::string versionText() {
   text += test.problem ? gg::say("self-test: failed: {}", *test.problem)
                        : gg::say("self-test: passed, {} escapes were tried and refused",
                                  test.refused.size());
+  try {
+    const grading::Drawing& drawing = grading::drawing();
+    text += '\n' + gg::say("drawing: {}, {}, {}", drawing.context, drawing.renderer.version,
+                           drawing.renderer.name);
+  } catch (const grading::CannotDraw& error) {
+    text += '\n' + gg::say("drawing: {}", error.what());
+  }
   return text;
 }
 
