@@ -108,7 +108,7 @@ std::vector<Picture> picturesOf(const Assignment& assignment, const fs::path& fi
       parts.push_back(id);
       for (const Todo& todo : target.parts.at(0).todos) {
         filled.insert(todo.id);
-        if (todo.id == done) break;
+        if (todo.id == done.get<std::string>()) break;
       }
     }
     json scene = grading::partScene(assignment, parts);

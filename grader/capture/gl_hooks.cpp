@@ -1,7 +1,7 @@
 #include "capture/gl_hooks.hpp"
 
 #include "capture/channel_writer.hpp"
-#include "capture/osmesa_context.hpp"
+#include "capture/context.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -56,14 +56,15 @@ Table makeTable() {
   return table;
 }
 
-/// The outermost hook of `name`, or null. A name that OSMesa lacks has only hooks without a `next`.
+/// The outermost hook of `name`, or null. A name that the context lacks has only hooks without a
+/// `next`.
 GlFunction hookedGlFunction(const char* name) {
   static const Table table = makeTable();
   const auto found = table.find(name);
   return found == table.end() ? nullptr : found->second;
 }
 
-/// The hook or OSMesa's function; null for a function that nobody serves.
+/// The hook or the context's function; null for a function that nobody serves.
 GlFunction served(const char* name) {
   if (const GlFunction hook = hookedGlFunction(name)) return hook;
   return realGlFunction(name);
@@ -83,7 +84,7 @@ GlFunction entry(std::size_t index) {
 } // namespace
 
 GlFunction realGlFunction(const char* name) {
-  return OsmesaContext::function(name);
+  return contextLibrary().function(name);
 }
 
 int integer(unsigned int name) {

@@ -23,12 +23,13 @@ namespace ggrade::capture {
 
 using GlFunction = void (*)();
 
-/// What a program gets when it asks for `name`: the outermost hook, else OSMesa's function, else (a
-/// GL function that OSMesa lacks, a GLX function) one that says so once and returns 0. Null when no
-/// GL or GLX function has that name. All ways to a function give the same address's behaviour.
+/// What a program gets when it asks for `name`: the outermost hook, else the context's function,
+/// else (a GL function that it lacks, a GLX function) one that says so once and returns 0. Null
+/// when no GL or GLX function has that name. All ways to a function give the same address's
+/// behaviour.
 GlFunction glFunction(const char* name);
 
-/// OSMesa's own function, past all hooks. Null when OSMesa lacks it.
+/// The context's own function (context.hpp), past all hooks. Null when there is none.
 GlFunction realGlFunction(const char* name);
 
 /// `real<decltype(&glFinish)>("glFinish")()`.
@@ -36,7 +37,7 @@ template <typename Function> Function real(const char* name) {
   return reinterpret_cast<Function>(realGlFunction(name));
 }
 
-/// A number of the current context's state (GLint, GLenum), asked of OSMesa itself.
+/// A number of the current context's state (GLint, GLenum), asked of the context itself.
 int integer(unsigned int name);
 
 struct Hook {

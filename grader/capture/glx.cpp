@@ -1,9 +1,8 @@
 // GLX: there is no X server here, so only the way to GL functions works. The rest returns 0 (and
 // says so once, see gl_hooks.cpp), apart from what loaders such as GLEW ask before they go on.
 
+#include "capture/context.hpp"
 #include "capture/gl_hooks.hpp"
-
-#include <GL/osmesa.h>
 
 #include <cstdint>
 
@@ -15,14 +14,14 @@ GlFunction getProcAddress(const unsigned char* name) {
 }
 
 void* getCurrentContext() {
-  return OSMesaGetCurrentContext();
+  return contextLibrary().current();
 }
 
 /// GLEW gives up without a display. Whoever reads Xlib's private fields out of this one finds
 /// zeros.
 void* getCurrentDisplay() {
   static std::uint64_t nothing[512];
-  return OSMesaGetCurrentContext() ? nothing : nullptr;
+  return contextLibrary().current() ? nothing : nullptr;
 }
 
 int queryVersion(void* /*display*/, int* major, int* minor) {

@@ -2,6 +2,7 @@
 // clears, and whether sRGB encoding was on for it), and tells the recorder.
 
 #include "capture/channel_writer.hpp"
+#include "capture/context.hpp"
 #include "capture/context_state.hpp"
 #include "capture/gl_hooks.hpp"
 #include "capture/recorder/recorder.hpp"
@@ -16,6 +17,16 @@ using recorder::DrawCall;
 
 enum class Use { draw, clear };
 
+/// While sRGB encoding is off for the window's sake.
+thread_local bool encodingOff = false;
+
+void setEncoding(bool on) {
+  static const auto enable = real<decltype(&glEnable)>("glEnable");
+  static const auto disable = real<decltype(&glDisable)>("glDisable");
+  (on ? enable : disable)(GL_FRAMEBUFFER_SRGB);
+  encodingOff = !on;
+}
+
 void count(Use use, bool window) {
   static const auto isEnabled = real<decltype(&glIsEnabled)>("glIsEnabled");
   ContextState* const state = currentState();
@@ -25,7 +36,9 @@ void count(Use use, bool window) {
   } else if (!isEnabled(GL_RASTERIZER_DISCARD)) {
     ++state->use.draws;
   }
-  if (isEnabled(GL_FRAMEBUFFER_SRGB)) state->use.srgb = true;
+  if (!isEnabled(GL_FRAMEBUFFER_SRGB)) return;
+  state->use.srgb = true;
+  if (contextLibrary().encodesSrgb()) setEncoding(false);
 }
 
 /// Counts what goes to the bound draw framebuffer.
@@ -41,6 +54,7 @@ void countBound(Use use) {
 struct Drawn {
   Drawn() = default;
   ~Drawn() {
+    if (encodingOff) setEncoding(true);
     if (recordsPasses) recorder::done();
   }
   Drawn(const Drawn&) = delete;
@@ -50,6 +64,7 @@ struct Drawn {
 struct Blitted {
   Blitted() = default;
   ~Blitted() {
+    if (encodingOff) setEncoding(true);
     if (recordsPasses) recorder::ended();
   }
   Blitted(const Blitted&) = delete;
@@ -101,6 +116,16 @@ constexpr auto beginning = [](GLenum mode) {
   countBound(Use::draw);
   if (recordsPasses) recorder::begin(mode);
 };
+
+struct Encoded {
+  Encoded() = default;
+  ~Encoded() {
+    if (encodingOff) setEncoding(true);
+  }
+  Encoded(const Encoded&) = delete;
+  Encoded& operator=(const Encoded&) = delete;
+};
+constexpr auto ending = [] { return Encoded(); };
 
 constexpr auto clearing = [](GLbitfield mask) {
   countBound(Use::clear);
@@ -217,6 +242,7 @@ const Hook kDrawHooks[] = {
     GG_AROUND(glCallLists, unknown),
     GG_AROUND(glCopyPixels, unknown),
     GG_AROUND(glDrawPixels, unknown),
+    GG_AROUND(glEnd, ending),
     GG_AROUND(glEvalMesh1, unknown),
     GG_AROUND(glEvalMesh2, unknown),
     GG_AROUND(glRectd, unknown),

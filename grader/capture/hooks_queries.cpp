@@ -1,5 +1,5 @@
-// What glGet* answers otherwise than OSMesa: the program's own debug output, and a window that is
-// double-buffered as GLFW's are.
+// What glGet* answers otherwise than the context: the program's own debug output, and a window that
+// is double-buffered as GLFW's are.
 
 #include "capture/context_state.hpp"
 #include "capture/gl_hooks.hpp"
@@ -14,7 +14,7 @@ GLint programsName(GLint buffer) {
   return buffer == GL_FRONT || buffer == GL_FRONT_LEFT ? GL_BACK : buffer;
 }
 
-/// False, and `value` untouched, for everything that OSMesa answers.
+/// False, and `value` untouched, for everything that the context answers.
 bool ownInteger(GLenum name, GLint& value) {
   const ContextState* const state = currentState();
   if (!state) return false;

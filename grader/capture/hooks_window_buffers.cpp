@@ -1,6 +1,6 @@
-// OSMesa's window has a front buffer only. GL_BACK seems to work there, but glClearBuffer then
-// clears nothing. So the window's back buffer is the front buffer behind the program's back.
+// A window offscreen has one colour buffer: whichever a program names is that one behind its back.
 
+#include "capture/context.hpp"
 #include "capture/context_state.hpp"
 #include "capture/gl_hooks.hpp"
 
@@ -16,59 +16,63 @@ bool windowBound(GLenum binding) {
   return bound == 0;
 }
 
-GLenum front(GLenum buffer) {
+/// The window's buffer of that name.
+GLenum windows(GLenum buffer) {
+  const bool front = contextLibrary().windowBuffer() == GL_FRONT;
   switch (buffer) {
+  case GL_FRONT:
   case GL_BACK:
-    return GL_FRONT;
+    return front ? GL_FRONT : GL_BACK;
+  case GL_FRONT_LEFT:
   case GL_BACK_LEFT:
-    return GL_FRONT_LEFT;
+    return front ? GL_FRONT_LEFT : GL_BACK_LEFT;
+  case GL_FRONT_RIGHT:
   case GL_BACK_RIGHT:
-    return GL_FRONT_RIGHT;
+    return front ? GL_FRONT_RIGHT : GL_BACK_RIGHT;
   default:
     return buffer;
   }
 }
 
 /// glDrawBuffers takes no GL_FRONT.
-std::vector<GLenum> fronts(GLsizei count, const GLenum* buffers) {
+std::vector<GLenum> windows(GLsizei count, const GLenum* buffers) {
   std::vector<GLenum> result(buffers, buffers + count);
-  for (GLenum& buffer : result) {
-    if (buffer == GL_BACK || buffer == GL_BACK_LEFT) buffer = GL_FRONT_LEFT;
-  }
+  for (GLenum& buffer : result)
+    if (buffer != GL_FRONT) buffer = windows(buffer == GL_BACK ? GL_BACK_LEFT : buffer);
   return result;
 }
 
 decltype(&glDrawBuffer) nextDrawBuffer;
 void APIENTRY hookDrawBuffer(GLenum buffer) {
-  nextDrawBuffer(windowBound(GL_DRAW_FRAMEBUFFER_BINDING) ? front(buffer) : buffer);
+  nextDrawBuffer(windowBound(GL_DRAW_FRAMEBUFFER_BINDING) ? windows(buffer) : buffer);
 }
 
 decltype(&glReadBuffer) nextReadBuffer;
 void APIENTRY hookReadBuffer(GLenum buffer) {
-  nextReadBuffer(windowBound(GL_READ_FRAMEBUFFER_BINDING) ? front(buffer) : buffer);
+  nextReadBuffer(windowBound(GL_READ_FRAMEBUFFER_BINDING) ? windows(buffer) : buffer);
 }
 
 decltype(&glDrawBuffers) nextDrawBuffers;
 void APIENTRY hookDrawBuffers(GLsizei count, const GLenum* buffers) {
   if (count <= 0 || !windowBound(GL_DRAW_FRAMEBUFFER_BINDING))
     return nextDrawBuffers(count, buffers);
-  nextDrawBuffers(count, fronts(count, buffers).data());
+  nextDrawBuffers(count, windows(count, buffers).data());
 }
 
 decltype(&glNamedFramebufferDrawBuffer) nextNamedDrawBuffer;
 void APIENTRY hookNamedDrawBuffer(GLuint framebuffer, GLenum buffer) {
-  nextNamedDrawBuffer(framebuffer, framebuffer == 0 ? front(buffer) : buffer);
+  nextNamedDrawBuffer(framebuffer, framebuffer == 0 ? windows(buffer) : buffer);
 }
 
 decltype(&glNamedFramebufferReadBuffer) nextNamedReadBuffer;
 void APIENTRY hookNamedReadBuffer(GLuint framebuffer, GLenum buffer) {
-  nextNamedReadBuffer(framebuffer, framebuffer == 0 ? front(buffer) : buffer);
+  nextNamedReadBuffer(framebuffer, framebuffer == 0 ? windows(buffer) : buffer);
 }
 
 decltype(&glNamedFramebufferDrawBuffers) nextNamedDrawBuffers;
 void APIENTRY hookNamedDrawBuffers(GLuint framebuffer, GLsizei count, const GLenum* buffers) {
   if (count <= 0 || framebuffer != 0) return nextNamedDrawBuffers(framebuffer, count, buffers);
-  nextNamedDrawBuffers(framebuffer, count, fronts(count, buffers).data());
+  nextNamedDrawBuffers(framebuffer, count, windows(count, buffers).data());
 }
 
 const Hook kWindowBufferHooks[] = {

@@ -1,122 +1,130 @@
-#include "capture/osmesa_context.hpp"
+#include "capture/context.hpp"
 
-#include <GL/osmesa.h>
-
-#include <GL/glext.h>
 #include <dlfcn.h>
 
 namespace ggrade::capture {
 namespace {
 
-using ProcOffset = int (*)(const char*);
+// From GL/osmesa.h, which newer systems don't have.
+using OSMesaContext = void*;
+constexpr int kOsmesaFormat = 0x22;
+constexpr int kOsmesaRgba = 0x1908; // GL_RGBA
+constexpr int kOsmesaDepthBits = 0x30;
+constexpr int kOsmesaStencilBits = 0x31;
+constexpr int kOsmesaProfile = 0x33;
+constexpr int kOsmesaCoreProfile = 0x34;
+constexpr int kOsmesaCompatProfile = 0x35;
+constexpr int kOsmesaMajorVersion = 0x36;
+constexpr int kOsmesaMinorVersion = 0x37;
 
-/// OSMesaGetProcAddress makes up a function for any name. Mesa's dispatch table knows which exist.
-ProcOffset findProcOffset() {
-  Dl_info info{};
-  if (!dladdr(reinterpret_cast<void*>(&OSMesaGetProcAddress), &info)) return nullptr;
-  void* const library = dlopen(info.dli_fname, RTLD_NOW | RTLD_NOLOAD);
-  return library ? reinterpret_cast<ProcOffset>(dlsym(library, "_glapi_get_proc_offset")) : nullptr;
-}
-
-struct Gl {
-  decltype(&glFinish) finish = real<decltype(&glFinish)>("glFinish");
-  decltype(&glDrawBuffer) drawBuffer = real<decltype(&glDrawBuffer)>("glDrawBuffer");
-  decltype(&glReadBuffer) readBuffer = real<decltype(&glReadBuffer)>("glReadBuffer");
-  PFNGLBINDFRAMEBUFFERPROC bindFramebuffer = real<PFNGLBINDFRAMEBUFFERPROC>("glBindFramebuffer");
+struct OsmesaFunctions {
+  OSMesaContext (*create)(const int* attributes, OSMesaContext share) = nullptr;
+  void (*destroy)(OSMesaContext context) = nullptr;
+  unsigned char (*makeCurrent)(OSMesaContext context, void* buffer, GLenum type, GLsizei width,
+                               GLsizei height) = nullptr;
+  OSMesaContext (*current)() = nullptr;
+  GlFunction (*procAddress)(const char* name) = nullptr;
 };
 
-const Gl& gl() {
-  static const Gl functions;
-  return functions;
-}
-
-/// Binds the window for drawing and reading, and what was bound before when it goes out of scope.
-class WindowBinding {
+class OsmesaContext : public Context {
 public:
-  WindowBinding()
-      : draw_(integer(GL_DRAW_FRAMEBUFFER_BINDING)), read_(integer(GL_READ_FRAMEBUFFER_BINDING)) {
-    if (draw_) gl().bindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    if (read_) gl().bindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+  OsmesaContext(const OsmesaFunctions& osmesa, OSMesaContext context)
+      : osmesa_(osmesa), context_(context) {}
+
+  ~OsmesaContext() override {
+    if (isCurrent()) osmesa_.makeCurrent(nullptr, nullptr, 0, 0, 0);
+    osmesa_.destroy(context_);
   }
-  ~WindowBinding() {
-    if (draw_) gl().bindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(draw_));
-    if (read_) gl().bindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
+
+  void finish() override {
+    static const auto glFinish = real<void (*)()>("glFinish");
+    // OSMesa copies the window out only while it is the draw framebuffer.
+    const WindowBinding binding;
+    glFinish();
   }
-  WindowBinding(const WindowBinding&) = delete;
-  WindowBinding& operator=(const WindowBinding&) = delete;
+
+  void* native() const override { return context_; }
+
+protected:
+  bool attach(Size size) override {
+    return osmesa_.makeCurrent(context_, buffer_.data(), GL_UNSIGNED_BYTE, size.width, size.height);
+  }
+  bool isCurrent() const override { return osmesa_.current() == context_; }
 
 private:
-  GLint draw_;
-  GLint read_;
+  const OsmesaFunctions& osmesa_;
+  OSMesaContext context_;
+};
+
+class Osmesa : public ContextLibrary {
+public:
+  explicit Osmesa(void* library)
+      : library_(library), functions_{get(functions_.create, "OSMesaCreateContextAttribs"),
+                                      get(functions_.destroy, "OSMesaDestroyContext"),
+                                      get(functions_.makeCurrent, "OSMesaMakeCurrent"),
+                                      get(functions_.current, "OSMesaGetCurrentContext"),
+                                      get(functions_.procAddress, "OSMesaGetProcAddress")},
+        procOffset_(findProcOffset()) {}
+
+  bool isWhole() const {
+    return functions_.create && functions_.destroy && functions_.makeCurrent &&
+           functions_.current && functions_.procAddress;
+  }
+
+  std::unique_ptr<Context> create(const ContextRequest& request, const Context* share) override {
+    const int attributes[] = {kOsmesaFormat,
+                              kOsmesaRgba,
+                              kOsmesaDepthBits,
+                              request.depthBits,
+                              kOsmesaStencilBits,
+                              request.stencilBits,
+                              kOsmesaProfile,
+                              request.core ? kOsmesaCoreProfile : kOsmesaCompatProfile,
+                              kOsmesaMajorVersion,
+                              request.major,
+                              kOsmesaMinorVersion,
+                              request.minor,
+                              0};
+    const OSMesaContext context = functions_.create(attributes, share ? share->native() : nullptr);
+    if (!context) return nullptr;
+    return std::make_unique<OsmesaContext>(functions_, context);
+  }
+
+  void clearCurrent() override { functions_.makeCurrent(nullptr, nullptr, 0, 0, 0); }
+  void* current() override { return functions_.current(); }
+
+  GlFunction function(const char* name) override {
+    if (procOffset_ && procOffset_(name) < 0) return nullptr;
+    return functions_.procAddress(name);
+  }
+
+  // GL_BACK seems to work there, but glClearBuffer then clears nothing.
+  GLenum windowBuffer() const override { return GL_FRONT; }
+
+  void* osmesaFunction(const char* name) override { return dlsym(library_, name); }
+
+private:
+  template <typename Function> Function get(Function /*kind*/, const char* name) const {
+    return reinterpret_cast<Function>(dlsym(library_, name));
+  }
+
+  void* library_;
+  OsmesaFunctions functions_;
+  ProcOffset procOffset_;
 };
 
 } // namespace
 
-std::unique_ptr<OsmesaContext> OsmesaContext::create(const ContextRequest& request,
-                                                     const OsmesaContext* share) {
-  const int attributes[] = {OSMESA_FORMAT,
-                            OSMESA_RGBA,
-                            OSMESA_DEPTH_BITS,
-                            request.depthBits,
-                            OSMESA_STENCIL_BITS,
-                            request.stencilBits,
-                            OSMESA_PROFILE,
-                            request.core ? OSMESA_CORE_PROFILE : OSMESA_COMPAT_PROFILE,
-                            OSMESA_CONTEXT_MAJOR_VERSION,
-                            request.major,
-                            OSMESA_CONTEXT_MINOR_VERSION,
-                            request.minor,
-                            0};
-  const OSMesaContext context = OSMesaCreateContextAttribs(
-      attributes, share ? static_cast<OSMesaContext>(share->context_) : nullptr);
-  if (!context) return nullptr;
-  return std::unique_ptr<OsmesaContext>(new OsmesaContext(context));
-}
-
-OsmesaContext::~OsmesaContext() {
-  if (OSMesaGetCurrentContext() == context_) clearCurrent();
-  OSMesaDestroyContext(static_cast<OSMesaContext>(context_));
-}
-
-bool OsmesaContext::attach(Size size) {
-  if (size != size_) {
-    buffer_.assign(std::size_t{4} * static_cast<std::size_t>(size.width) *
-                       static_cast<std::size_t>(size.height),
-                   0);
-    size_ = size;
+std::unique_ptr<ContextLibrary> openOsmesa(std::string& why) {
+  void* const library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
+  if (!library) {
+    why = dlerror();
+    return nullptr;
   }
-  return OSMesaMakeCurrent(static_cast<OSMesaContext>(context_), buffer_.data(), GL_UNSIGNED_BYTE,
-                           size.width, size.height);
-}
-
-bool OsmesaContext::makeCurrent(Size size) {
-  const bool resized = size_ != Size{} && size != size_;
-  if (!resized) return attach(size);
-  // OSMesa makes a new window framebuffer for the new size; its draw and read buffer move over.
-  if (OSMesaGetCurrentContext() != context_ && !attach(size_)) return false;
-  const WindowBinding binding;
-  const auto drawBuffer = static_cast<GLenum>(integer(GL_DRAW_BUFFER));
-  const auto readBuffer = static_cast<GLenum>(integer(GL_READ_BUFFER));
-  if (!attach(size)) return false;
-  gl().drawBuffer(drawBuffer);
-  gl().readBuffer(readBuffer);
-  return true;
-}
-
-void OsmesaContext::clearCurrent() {
-  OSMesaMakeCurrent(nullptr, nullptr, 0, 0, 0);
-}
-
-void OsmesaContext::finish() {
-  // OSMesa copies the window out only while it is the draw framebuffer.
-  const WindowBinding binding;
-  gl().finish();
-}
-
-GlFunction OsmesaContext::function(const char* name) {
-  static const ProcOffset procOffset = findProcOffset();
-  if (procOffset && procOffset(name) < 0) return nullptr;
-  return reinterpret_cast<GlFunction>(OSMesaGetProcAddress(name));
+  auto osmesa = std::make_unique<Osmesa>(library);
+  if (osmesa->isWhole()) return osmesa;
+  why = "libOSMesa.so.8 lacks functions of OSMesa";
+  return nullptr;
 }
 
 } // namespace ggrade::capture

@@ -81,6 +81,7 @@ void declare(CLI::App& app, BatchCommand& command) {
                  "none: run strangers' programs as yourself. Only for uploads that you trust")
       ->check(CLI::IsMember({"bwrap", "none"}))
       ->capture_default_str();
+  declareContext(app);
   app.add_flag("--no-diagnosis", command.noDiagnosis,
                "Don't look for the likeliest cause of lost points");
   declareBooks(app, command.books);

@@ -277,6 +277,7 @@ void addCalibrate(CLI::App& app) {
   auto* quality = declareQuality(*command, options->quality, "How closely gradings look");
   command->add_option("--only", options->only,
                       "Names or kinds: reference, variant, mistake, pair, pictures, stub");
+  declareContext(*command);
   command->add_option("--out", options->out, "Where the results go (default out/calibrate/ID)");
   command->add_option("--catalogue", options->catalogue,
                       "The folder with mistakes/ and variants/ (default: the solution's)");

@@ -148,6 +148,7 @@ fs::path solutionFolder(const std::string& assignment) {
 }
 
 std::vector<std::string> requireSandbox() {
+  grading::drawing();
   sandbox::SelfTest test = sandbox::selfTest();
   if (test.problem)
     throw NoSandbox(
@@ -171,6 +172,16 @@ CLI::Option* declareQuality(CLI::App& app, std::string& quality, const std::stri
       ->check(CLI::IsMember(
           std::vector<std::string>(std::begin(grading::kQualities), std::end(grading::kQualities))))
       ->capture_default_str();
+}
+
+void declareContext(CLI::App& app, bool measures) {
+  std::vector<std::string> names = {"auto", "osmesa", "egl"};
+  if (measures) names.emplace_back("gpu");
+  app.add_option_function<std::string>(
+         "--context", grading::chooseContext,
+         gg::say("What draws: auto (OSMesa, or EGL where that isn't installed), osmesa, egl{}",
+                 measures ? gg::say(", gpu (the first graphics card)") : ""))
+      ->check(CLI::IsMember(names));
 }
 
 std::vector<std::string> chooseSandbox(const std::string& word) {
@@ -221,6 +232,8 @@ int runCommands(int argc, char** argv, const std::vector<AddCommand>& commands) 
     grading::interrupted = true;
     return end(kInterrupted, {});
   } catch (const NoSandbox& error) {
+    return end(kNoSandbox, error.what());
+  } catch (const grading::CannotDraw& error) {
     return end(kNoSandbox, error.what());
   } catch (const UsageError& error) {
     return end(kUsage, error.what());

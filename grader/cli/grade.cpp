@@ -100,6 +100,7 @@ void addGrade(CLI::App& app) {
                    "none: run the program as yourself. Only for one that you trust")
       ->check(CLI::IsMember({"bwrap", "none"}))
       ->capture_default_str();
+  declareContext(*command);
   command->add_flag("--solution", options->solution, "DIR is a trusted folder of solutions/");
   command->add_flag("--no-diagnosis", options->noDiagnosis,
                     "Don't look for the likeliest cause of lost points");

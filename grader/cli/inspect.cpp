@@ -141,6 +141,7 @@ void addInspect(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--solution", options->solution,
                     say("The reference instead of the assignment's own files"));
+  declareContext(*command, true);
   command->add_flag("--steps", options->steps, say("Pictures after every step of a pass too"));
   command->footer(say("The page needs nothing else: open it in a browser.\n"
                       "Exit codes: 0 the frame came, 1 not, 2 usage, 3 no sandbox.\n\n"

@@ -80,6 +80,7 @@ json trace(const grading::Rendering& rendering, const std::vector<trace::CopyFil
               {"rows", "top first"},
               {"values", "as stored in the window, 8 bits a channel"},
               {"outcome", results::name(rendering.happened.outcome)},
+              {"context", grading::drawing().context},
               {"gl_version", capture.glVersion},
               {"gl_renderer", capture.glRenderer},
               {"context_seconds", capture.contextSeconds},
@@ -204,6 +205,7 @@ void addRender(CLI::App& app) {
           "--raw", options->raw,
           say("The values of each picture too, as 4-byte floats: frame-N/pass-PP-color0.f32"))
       ->needs(passes);
+  declareContext(*command, true);
   command->add_flag("--json", options->json, say("Print trace.json on stdout"));
   command->footer(say("After -- stands any GLFW program with its arguments, run as it is.\n"
                       "Exit codes: 0 all frames came, 1 not, 2 usage, 3 no sandbox.\n\n"

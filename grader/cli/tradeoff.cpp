@@ -165,6 +165,7 @@ void addTradeoff(CLI::App& app) {
       "tradeoff", "Measures time against error for every quality number of a reference");
   auto options = std::make_shared<TradeoffOptions>();
   command->add_option("ID", options->id, "An assignment, a part, or all")->required();
+  declareContext(*command, true);
   command->add_option("--out", options->out, "Where the results go")->required();
   command->add_option("--budget", options->budget,
                       "Name the setting of least error within this time, such as 5ms");

@@ -1,6 +1,5 @@
 #include "grading/program.hpp"
 
-#include "grading/libraries.hpp"
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
 #include "report/text.hpp"
@@ -282,6 +281,7 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   sandbox::Command command;
   command.arguments = {(at.work / id).string(), "--scene", (at.scene / "scene.json").string()};
   command.environment = kPins;
+  command.environment.emplace_back("GG_CAPTURE_CONTEXT", drawing().context);
   command.environment.emplace_back("GG_DOCTOR", doctor ? "1" : "0");
   command.environment.emplace_back("GG_LANG", gg::name(gg::language()));
   command.environment.emplace_back("LD_LIBRARY_PATH", at.capture.string());
@@ -296,7 +296,7 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
         {{"MESA_SHADER_CACHE_DIR", at.shaders.string()}, {"MESA_DISK_CACHE_SINGLE_FILE", "true"}});
   if (isolation == Isolation::bwrap) {
     // File by file: what one run asks for in a folder that others see as well, they could notice.
-    command.systemFiles = programLibraries();
+    command.systemFiles = drawing().files;
     command.mounts = {{folder, "/submission"}, {sceneFolder, "/scene"}};
     for (const fs::directory_entry& entry : fs::directory_iterator(toolchain::kCaptureFolder))
       command.mounts.push_back({entry.path(), at.capture / entry.path().filename()});
@@ -336,6 +336,7 @@ Rendering renderProgram(const std::vector<std::string>& arguments, const std::ve
                                    std::string(toolchain::kCaptureFolder) +
                                        (before ? std::string(":") + before : ""));
   command.environment.insert(command.environment.end(), kPins.begin(), kPins.end());
+  command.environment.emplace_back("GG_CAPTURE_CONTEXT", drawing().context);
   command.environment.emplace_back("GG_DOCTOR", "0");
   command.environment.emplace_back(channel::kDescriptorVariable,
                                    std::to_string(channel.descriptor()));
@@ -377,12 +378,29 @@ std::string pins() {
   return text;
 }
 
+namespace {
+
+/// Vendor and model, as the kernel names them.
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string vendor, model;
+  for (std::string line; std::getline(file, line) && (vendor.empty() || model.empty());) {
+    const std::size_t colon = line.find(": ");
+    if (colon == line.npos) continue;
+    if (line.starts_with("vendor_id")) vendor = line.substr(colon + 2);
+    if (line.starts_with("model name")) model = line.substr(colon + 2);
+  }
+  return vendor + (vendor.empty() || model.empty() ? "" : " ") + model;
+}
+
+} // namespace
+
 std::vector<std::pair<std::string, std::string>> fingerprint(const Renderer& renderer,
                                                              const Renderer& claim) {
-  std::vector<std::pair<std::string, std::string>> all = {{"ggrade", toolchain::kVersion},
-                                                          {"compiler", toolchain::kCompilerVersion},
-                                                          {"gl_version", renderer.version},
-                                                          {"gl_renderer", renderer.name}};
+  std::vector<std::pair<std::string, std::string>> all = {
+      {"ggrade", toolchain::kVersion},  {"compiler", toolchain::kCompilerVersion},
+      {"context", drawing().context},   {"processor", processor()},
+      {"gl_version", renderer.version}, {"gl_renderer", renderer.name}};
   all.insert(all.end(), kPins.begin(), kPins.end());
   const auto addClaim = [&](const char* what, const std::string& claimed,
                             const std::string& known) {

@@ -6,6 +6,7 @@
 #include "assignment/assignment.hpp"
 #include "capture/channel_reader.hpp"
 #include "diagnosis/outcome.hpp"
+#include "grading/drawing.hpp"
 #include "rubric/evidence.hpp"
 #include "sandbox/sandbox.hpp"
 
@@ -89,11 +90,6 @@ const std::vector<std::pair<std::string, std::string>>& rendererPins();
 
 /// Compiler flags and settings of the renderer, the same for every build and run.
 std::string pins();
-
-/// What draws: GL_VERSION and GL_RENDERER.
-struct Renderer {
-  std::string version, name;
-};
 
 inline Renderer rendererOf(const channel::Capture& capture) {
   return {capture.glVersion, capture.glRenderer};

@@ -75,6 +75,9 @@ void warmShaders(const Target& target, Own& own, const ScenePlan& plan) {
                   own.what);
   }
   for (const std::string& name : drawn) list << name << '\n';
+  // Mesa makes its folders for their owner alone from 24 on; the sandbox's user reads them, too.
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(warm))
+    fs::permissions(entry.path(), entry.is_directory() ? fs::perms(0755) : fs::perms(0644));
   keep(warm, folder);
   if (list.flush()) keep(work.path() / "scenes", folder.string() + ".scenes");
 }

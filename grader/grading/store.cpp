@@ -1,5 +1,6 @@
 #include "grading/store.hpp"
 
+#include "grading/drawing.hpp"
 #include "grading/toolchain.hpp"
 
 #include <fmt/format.h>
@@ -44,15 +45,10 @@ template <class Iterator> std::vector<fs::path> filesIn(const fs::path& folder) 
   return files;
 }
 
-/// What tells one renderer from another without starting it: its files' sizes and times.
+/// What tells one renderer from another: its files' sizes and times.
 std::string rendererIdentity() {
-  std::string text;
-  const fs::path mesa = fs::canonical(toolchain::kOsMesa);
-  std::vector<fs::path> files = {mesa};
-  for (const fs::directory_entry& entry : fs::directory_iterator(mesa.parent_path()))
-    if (entry.path().filename().string().starts_with("libLLVM")) files.push_back(entry.path());
-  std::sort(files.begin(), files.end());
-  for (const fs::path& file : files)
+  std::string text = drawing().context + '\n';
+  for (const fs::path& file : drawing().files)
     text += fmt::format("{} {} {}\n", file.string(), fs::file_size(file),
                         fs::last_write_time(file).time_since_epoch().count());
   return text;

@@ -13,11 +13,9 @@ extern const char* const kCompilerVersion;
 /// Separated by spaces; the precompiled header is made with the same.
 extern const char* const kCompileFlags;
 /// The system's libraries that a submission is linked with, between semicolons, and a program that
-/// is linked with the same.
+/// is linked with the same, and draws.
 extern const char* const kLibraries;
-extern const char* const kLinkedProgram;
-/// The renderer: its file tells one version from another.
-extern const char* const kOsMesa;
+extern const char* const kProbe;
 /// Everything that a submission is compiled and linked with: headers, loader, library, precompiled
 /// header.
 extern const char* const kKitFolder;

@@ -34,8 +34,8 @@ fs::path helperProgram() {
   return path;
 }
 
-/// Moves a descriptor out of the way of 0, 1 and 2, which the helper's own go to. One that could not
-/// be opened stays so, with its errno.
+/// Moves a descriptor out of the way of 0, 1 and 2, which the helper's own go to. One that could
+/// not be opened stays so, with its errno.
 Descriptor aboveStandard(Descriptor file) {
   if (!file || file.get() > 2) return file;
   Descriptor moved(fcntl(file.get(), F_DUPFD_CLOEXEC, 3));

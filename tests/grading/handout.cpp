@@ -37,7 +37,7 @@ std::set<std::string> doneFor(const ggrade::Assignment& assignment, const json& 
       if (part.id == partOf(last))
         for (const ggrade::Todo& todo : part.todos) {
           done.insert(todo.id);
-          if (todo.id == last) break;
+          if (todo.id == last.get<std::string>()) break;
         }
   return done;
 }

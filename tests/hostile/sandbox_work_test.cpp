@@ -35,7 +35,9 @@ INSTANTIATE_TEST_SUITE_P(As, SandboxWork, testing::Values("root", "user"),
 
 TEST_P(SandboxWork, CompilesLinksAndRuns) {
   if (delegated()) return;
-  for (const char* linker : {"-fuse-ld=mold", "-fuse-ld=gold", "-fuse-ld=bfd"}) {
+  for (const std::string name : {"mold", "gold", "bfd"}) {
+    if (name == "gold" && !fs::exists("/usr/bin/ld.gold")) continue; // binutils has none any more
+    const std::string linker = "-fuse-ld=" + name;
     const Result built = compile("hello.cpp", {linker});
     ASSERT_TRUE(built.collected) << linker << describe(built);
     EXPECT_EQ(built.standardError, "") << linker;
@@ -56,6 +58,7 @@ TEST_P(SandboxWork, CompilerMessagesComeBack) {
 
 TEST_P(SandboxWork, RendersAFrame) {
   if (delegated()) return;
+  if (!fs::exists("/usr/include/GL/osmesa.h")) GTEST_SKIP() << "this system has no OSMesa";
   const Result built = compile("osmesa.cpp", {"-lOSMesa"});
   ASSERT_TRUE(built.collected) << describe(built);
   fs::create_directory(folder() + "/cache");

@@ -82,7 +82,7 @@ bool makeCurrent(GLFWwindow* window) {
   current = nullptr;
   setCurrentState(nullptr);
   if (!window) {
-    OsmesaContext::clearCurrent();
+    contextLibrary().clearCurrent();
     return true;
   }
   if (!window->context->makeCurrent(window->size)) return false;

@@ -101,8 +101,8 @@ bool createContext(GLFWwindow& window, const FramebufferHints& framebuffer,
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const ContextHints& wanted = window.contextAttributes;
-  window.context = OsmesaContext::create(requestFor(wanted, framebuffer),
-                                         share ? share->context.get() : nullptr);
+  window.context = contextLibrary().create(requestFor(wanted, framebuffer),
+                                           share ? share->context.get() : nullptr);
   if (!window.context) {
     reportError(GLFW_VERSION_UNAVAILABLE, "OpenGL version %i.%i is not available offscreen",
                 wanted.major, wanted.minor);
@@ -142,7 +142,7 @@ bool takesCapture(const GLFWwindow& window) {
 
 extern "C" {
 
-GLFWwindow* glfwCreateWindow(int width, int height, const char* /*title*/, GLFWmonitor* monitor,
+GLFWwindow* glfwCreateWindow(int width, int height, const char* title, GLFWmonitor* monitor,
                              GLFWwindow* share) {
   GG_REQUIRE_INIT_OR(nullptr);
   if (width <= 0 || height <= 0) {
@@ -158,6 +158,7 @@ GLFWwindow* glfwCreateWindow(int width, int height, const char* /*title*/, GLFWm
   window.attributes = hints.window;
   window.contextAttributes = hints.context;
   window.monitor = monitor;
+  window.title = title ? title : "";
   const Size asked{width, height};
   const bool hasContext = hints.context.client != GLFW_NO_API;
   const bool captured = hasContext && takesCapture(window);

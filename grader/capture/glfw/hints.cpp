@@ -109,6 +109,13 @@ void glfwWindowHint(int hint, int value) {
   case GLFW_SCALE_TO_MONITOR:
   case GLFW_COCOA_RETINA_FRAMEBUFFER:
   case GLFW_COCOA_GRAPHICS_SWITCHING:
+  // of GLFW 3.4: mouse passthrough, position, scaled framebuffer, Windows' menu and first showing
+  case 0x0002000D:
+  case 0x0002000E:
+  case 0x0002000F:
+  case 0x0002200D:
+  case 0x00025001:
+  case 0x00025002:
     return;
   default:
     reportError(GLFW_INVALID_ENUM, "Invalid window hint 0x%08X", static_cast<unsigned>(hint));
@@ -121,6 +128,7 @@ void glfwWindowHintString(int hint, const char* /*value*/) {
   case GLFW_COCOA_FRAME_NAME:
   case GLFW_X11_CLASS_NAME:
   case GLFW_X11_INSTANCE_NAME:
+  case 0x00026001: // Wayland's, of GLFW 3.4
     return;
   default:
     reportError(GLFW_INVALID_ENUM, "Invalid window hint string 0x%08X",

@@ -26,6 +26,11 @@ void glfwInitHint(int hint, int /*value*/) {
   case GLFW_JOYSTICK_HAT_BUTTONS:
   case GLFW_COCOA_CHDIR_RESOURCES:
   case GLFW_COCOA_MENUBAR:
+  // of GLFW 3.4: ANGLE, platform, XCB, libdecor
+  case 0x00050002:
+  case 0x00050003:
+  case 0x00052001:
+  case 0x00053001:
     return;
   default:
     reportError(GLFW_INVALID_ENUM, "Invalid init hint 0x%08X", static_cast<unsigned>(hint));
@@ -33,13 +38,16 @@ void glfwInitHint(int hint, int /*value*/) {
 }
 
 void glfwGetVersion(int* major, int* minor, int* revision) {
-  if (major) *major = 3;
-  if (minor) *minor = 3;
-  if (revision) *revision = 8;
+  if (major) *major = GLFW_VERSION_MAJOR;
+  if (minor) *minor = GLFW_VERSION_MINOR;
+  if (revision) *revision = GLFW_VERSION_REVISION;
 }
 
 const char* glfwGetVersionString() {
-  return "3.3.8 OSMesa offscreen capture";
+#define GG_TEXT(number) #number
+#define GG_VERSION(major, minor, revision) GG_TEXT(major) "." GG_TEXT(minor) "." GG_TEXT(revision)
+  return GG_VERSION(GLFW_VERSION_MAJOR, GLFW_VERSION_MINOR,
+                    GLFW_VERSION_REVISION) " offscreen capture";
 }
 
 } // extern "C"

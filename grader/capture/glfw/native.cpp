@@ -1,10 +1,8 @@
-// glfw3native.h. Nothing of X11, GLX or EGL stands behind the window; OSMesa does. Declared here,
-// since that header needs X11's.
+// glfw3native.h. Nothing of X11 or GLX stands behind the window, and of EGL nothing that has a
+// window there; OSMesa may. Declared here, since that header needs X11's.
 
 #include "capture/channel_writer.hpp"
 #include "capture/glfw/library.hpp"
-
-#include <GL/osmesa.h>
 
 using namespace ggrade::capture;
 
@@ -17,12 +15,27 @@ template <typename Handle> Handle none(const char* name) {
   return Handle{};
 }
 
-/// The window's context, or null after reporting that it has none.
-OSMesaContext contextOf(const GLFWwindow* window) {
+/// The window's OSMesa context, or null after reporting that it has none.
+void* contextOf(const GLFWwindow* window) {
   GG_REQUIRE_INIT_OR(nullptr);
-  if (window->context) return static_cast<OSMesaContext>(window->context->native());
-  reportError(GLFW_NO_WINDOW_CONTEXT, "The window has no OpenGL context");
+  if (window->context && contextLibrary().osmesaFunction("OSMesaGetColorBuffer"))
+    return window->context->native();
+  reportError(GLFW_NO_WINDOW_CONTEXT, "The window has no OSMesa context");
   return nullptr;
+}
+
+/// OSMesa's own function of this name for the window's buffer of colours or depths.
+bool buffer(GLFWwindow* window, const char* function, int* (&&into)[3], void** pixels) {
+  int values[3] = {};
+  void* found = nullptr;
+  void* const context = contextOf(window);
+  using Get = unsigned char (*)(void*, int*, int*, int*, void**);
+  const auto get = reinterpret_cast<Get>(contextLibrary().osmesaFunction(function));
+  const bool there = context && get && get(context, &values[0], &values[1], &values[2], &found);
+  for (int i = 0; i < 3; ++i)
+    if (into[i]) *into[i] = values[i];
+  if (pixels) *pixels = found;
+  return there;
 }
 
 } // namespace
@@ -71,31 +84,13 @@ GG_NATIVE void* glfwGetOSMesaContext(GLFWwindow* window) {
 }
 
 GG_NATIVE int glfwGetOSMesaColorBuffer(GLFWwindow* window, int* width, int* height, int* format,
-                                       void** buffer) {
-  const OSMesaContext context = contextOf(window);
-  int values[3] = {};
-  void* pixels = nullptr;
-  const bool found =
-      context && OSMesaGetColorBuffer(context, &values[0], &values[1], &values[2], &pixels);
-  if (width) *width = values[0];
-  if (height) *height = values[1];
-  if (format) *format = values[2];
-  if (buffer) *buffer = pixels;
-  return found ? GLFW_TRUE : GLFW_FALSE;
+                                       void** pixels) {
+  return buffer(window, "OSMesaGetColorBuffer", {width, height, format}, pixels);
 }
 
 GG_NATIVE int glfwGetOSMesaDepthBuffer(GLFWwindow* window, int* width, int* height,
-                                       int* bytesPerValue, void** buffer) {
-  const OSMesaContext context = contextOf(window);
-  int values[3] = {};
-  void* depths = nullptr;
-  const bool found =
-      context && OSMesaGetDepthBuffer(context, &values[0], &values[1], &values[2], &depths);
-  if (width) *width = values[0];
-  if (height) *height = values[1];
-  if (bytesPerValue) *bytesPerValue = values[2];
-  if (buffer) *buffer = depths;
-  return found ? GLFW_TRUE : GLFW_FALSE;
+                                       int* bytesPerValue, void** depths) {
+  return buffer(window, "OSMesaGetDepthBuffer", {width, height, bytesPerValue}, depths);
 }
 
 } // extern "C"

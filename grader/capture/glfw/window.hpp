@@ -2,9 +2,9 @@
 /// \file
 /// One window: what the program asked for, what it is told, and its context.
 
+#include "capture/context.hpp"
 #include "capture/context_state.hpp"
 #include "capture/glfw/hints.hpp"
-#include "capture/osmesa_context.hpp"
 #include "capture/run.hpp"
 
 #include <GLFW/glfw3.h>
@@ -13,6 +13,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <string>
 
 struct GLFWwindow {
   ggrade::capture::WindowHints attributes;
@@ -28,6 +29,7 @@ struct GLFWwindow {
   std::atomic<bool> closeAsked = false;
   std::atomic<bool> needsRefresh = true;
 
+  std::string title;
   int x = 0;
   int y = 0;
   std::array<int, 4> limits{GLFW_DONT_CARE, GLFW_DONT_CARE, GLFW_DONT_CARE, GLFW_DONT_CARE};
@@ -66,7 +68,7 @@ struct GLFWwindow {
     GLFWdropfun drop = nullptr;
   } callbacks;
 
-  std::unique_ptr<ggrade::capture::OsmesaContext> context;
+  std::unique_ptr<ggrade::capture::Context> context;
   ggrade::capture::ContextState state;
   std::chrono::steady_clock::time_point lastSwap;
 };

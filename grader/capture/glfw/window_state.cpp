@@ -23,8 +23,9 @@ void setMaximized(GLFWwindow& window, bool maximized) {
 
 extern "C" {
 
-void glfwSetWindowTitle(GLFWwindow* /*window*/, const char* /*title*/) {
+void glfwSetWindowTitle(GLFWwindow* window, const char* title) {
   GG_REQUIRE_INIT();
+  window->title = title;
 }
 
 void glfwSetWindowIcon(GLFWwindow* /*window*/, int /*count*/, const GLFWimage* /*images*/) {

@@ -1,5 +1,6 @@
 #include "capture/recorder/copies.hpp"
 
+#include "capture/context.hpp"
 #include "capture/recorder/gl_calls.hpp"
 #include "capture/recorder/images.hpp"
 
@@ -65,7 +66,7 @@ public:
   WindowRead() {
     gl().bindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     readBuffer_ = number(GL_READ_BUFFER);
-    gl().namedFramebufferReadBuffer(0, GL_FRONT);
+    gl().namedFramebufferReadBuffer(0, contextLibrary().windowBuffer());
   }
   ~WindowRead() { gl().namedFramebufferReadBuffer(0, readBuffer_); }
   WindowRead(const WindowRead&) = delete;
@@ -129,12 +130,13 @@ struct ColorFormat {
 };
 
 /// Of the colour attachment at `point` of the bound read framebuffer.
-ColorFormat colorFormat(GLenum point) {
+ColorFormat colorFormat(GLenum point, bool window) {
   const auto bits = std::max({readAttachment(point, GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE),
                               readAttachment(point, GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE),
                               readAttachment(point, GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE),
                               readAttachment(point, GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE)});
-  if (readAttachment(point, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) == GL_SRGB)
+  // A window that could be encoded never is (hooks_draws.cpp).
+  if (!window && readAttachment(point, GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING) == GL_SRGB)
     return {PixelType::f32x4, true};
   switch (readAttachment(point, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE)) {
   case GL_INT:
@@ -207,7 +209,7 @@ std::uint32_t ImageReader::copy(const ImageRef& image, trace::CopyRecord record,
   GLenum point = pointOf(record.attachment);
   if (image.kind == static_cast<std::uint32_t>(ImageKind::window)) {
     window.emplace();
-    point = GL_FRONT_LEFT;
+    point = contextLibrary().windowBuffer() == GL_FRONT ? GL_FRONT_LEFT : GL_BACK_LEFT;
   } else {
     attached.emplace(framebuffer_, image, record.attachment);
     gl().bindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer_);
@@ -223,7 +225,7 @@ std::uint32_t ImageReader::copy(const ImageRef& image, trace::CopyRecord record,
   } else if (isStencil(record.attachment)) {
     format.type = PixelType::u8x1;
   } else {
-    format = colorFormat(point);
+    format = colorFormat(point, window.has_value());
   }
   record.type = static_cast<std::uint32_t>(format.type);
   record.width = image.width;

@@ -1,5 +1,6 @@
 #include "capture/recorder/images.hpp"
 
+#include "capture/context.hpp"
 #include "capture/recorder/gl_calls.hpp"
 
 #include <initializer_list>
@@ -26,7 +27,8 @@ GLint renderbufferParameter(GLuint renderbuffer, GLenum name) {
 GLenum attachmentEnum(GLuint framebuffer, std::uint32_t attachment) {
   if (attachment == trace::kDepth) return framebuffer ? GL_DEPTH_ATTACHMENT : GL_DEPTH;
   if (attachment == trace::kStencil) return framebuffer ? GL_STENCIL_ATTACHMENT : GL_STENCIL;
-  return framebuffer ? GL_COLOR_ATTACHMENT0 + attachment : GL_FRONT_LEFT;
+  if (framebuffer) return GL_COLOR_ATTACHMENT0 + attachment;
+  return contextLibrary().windowBuffer() == GL_FRONT ? GL_FRONT_LEFT : GL_BACK_LEFT;
 }
 
 /// The window's packed or plain depth format.

@@ -172,7 +172,8 @@ json adoptedPresets(const json& figures) {
     for (const auto& [name, preset] : sweep.at("presets").items())
       for (const auto& [number, value] : preset.at("setting").items()) {
         const std::string key = name + " " + number;
-        if (partOf.contains(key) && partOf[key] == sweep.at("part")) continue; // the first scene's
+        if (partOf.contains(key) && partOf[key] == sweep.at("part").get<std::string>())
+          continue; // the first scene's
         partOf[key] = sweep.at("part");
         presets[name][number] = value;
       }

@@ -249,7 +249,7 @@ Plan readPlan(const Assignment& assignment, const std::vector<std::string>& part
       reader.fail("amounts", fmt::format("{} is not a number that is swept", name.dump()));
     for (Sweep& sweep : plan.sweeps)
       for (Number& number : sweep.numbers)
-        if (number.name == name) number.amount = true;
+        if (number.name == name.get<std::string>()) number.amount = true;
   }
   std::vector<std::string> everyPart;
   for (const Part& part : assignment.parts) everyPart.push_back(part.id);

@@ -1,6 +1,10 @@
 #include "truth/ray.hpp"
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 #include <glm/geometric.hpp>
 
 #include <algorithm>
@@ -43,6 +47,38 @@ RTCRay rayOf(const glm::dvec3& origin, const glm::dvec3& direction, double from,
   return ray;
 }
 
+// What became of a query's context: arguments, in another order, in Embree 4.
+#if RTC_VERSION_MAJOR >= 4
+constexpr RTCSceneFlags kFiltersByQuery = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
+
+void intersect(RTCScene scene, RTCRayHit& query, RTCFilterFunctionN filter) {
+  RTCIntersectArguments arguments;
+  rtcInitIntersectArguments(&arguments);
+  arguments.filter = filter;
+  if (filter) arguments.flags = RTC_RAY_QUERY_FLAG_INVOKE_ARGUMENT_FILTER;
+  rtcIntersect1(scene, &query, &arguments);
+}
+
+void occlude(RTCScene scene, RTCRay& ray) {
+  rtcOccluded1(scene, &ray);
+}
+#else
+constexpr RTCSceneFlags kFiltersByQuery = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
+
+void intersect(RTCScene scene, RTCRayHit& query, RTCFilterFunctionN filter) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.filter = filter;
+  rtcIntersect1(scene, &context, &query);
+}
+
+void occlude(RTCScene scene, RTCRay& ray) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcOccluded1(scene, &context, &ray);
+}
+#endif
+
 } // namespace
 
 struct RayScene::Owned {
@@ -62,9 +98,8 @@ RayScene::RayScene(std::vector<Triangles> meshes) : owned_(std::make_unique<Owne
   if (!own.device) check(nullptr);
   RTCDevice device = own.device.get();
   own.scene.reset(rtcNewScene(device));
-  rtcSetSceneFlags(
-      own.scene.get(),
-      static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION));
+  rtcSetSceneFlags(own.scene.get(),
+                   static_cast<RTCSceneFlags>(RTC_SCENE_FLAG_ROBUST | kFiltersByQuery));
   for (const Triangles& mesh : own.meshes) {
     const std::size_t count = mesh.indices.size() / 3;
     if (std::ranges::any_of(mesh.indices, [&](auto i) { return i >= mesh.positions.size(); }))
@@ -91,13 +126,10 @@ RayScene::RayScene(std::vector<Triangles> meshes) : owned_(std::make_unique<Owne
 
 std::optional<Hit> RayScene::closestHit(const glm::dvec3& origin, const glm::dvec3& direction,
                                         double from, double to, Faces faces) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  if (faces == Faces::front) context.filter = frontOnly;
   RTCRayHit query{};
   query.ray = rayOf(origin, direction, from, to);
   query.hit.geomID = query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(owned_->scene.get(), &context, &query);
+  intersect(owned_->scene.get(), query, faces == Faces::front ? frontOnly : nullptr);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
 
   Hit hit;
@@ -127,10 +159,8 @@ std::optional<Hit> RayScene::closestHit(const glm::dvec3& origin, const glm::dve
 
 bool RayScene::occluded(const glm::dvec3& origin, const glm::dvec3& direction,
                         double distance) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
   RTCRay ray = rayOf(origin, direction, 0, distance / glm::length(direction));
-  rtcOccluded1(owned_->scene.get(), &context, &ray);
+  occlude(owned_->scene.get(), ray);
   return ray.tfar < 0;
 }
 
