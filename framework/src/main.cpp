@@ -54,6 +54,7 @@ int report(const std::string& name, const char* what, ExitCode code) {
 
 int main(int argc, char** argv) {
   std::string name = "program";
+  gg::prepareTerminal();
   try {
     if (argc > 0) name = gg::toUtf8(std::filesystem::path(argv[0]).stem());
     const gg::detail::Arguments arguments =

@@ -3,7 +3,8 @@
 #include <gg/text_file.hpp>
 
 #if defined(_WIN32)
-#define NOMINMAX
+#include <cstdlib>
+
 #include <windows.h>
 // After windows.h, which it needs.
 #include <shellapi.h>
@@ -32,6 +33,16 @@ std::filesystem::path programFile() {
 }
 
 } // namespace
+
+void prepareTerminal() {
+#if defined(_WIN32)
+  if (std::getenv("LANG") == nullptr && PRIMARYLANGID(GetUserDefaultUILanguage()) == LANG_JAPANESE)
+    _putenv_s("LANG", "ja");
+  static const UINT before = GetConsoleOutputCP();
+  SetConsoleOutputCP(CP_UTF8);
+  std::atexit([] { SetConsoleOutputCP(before); }); // what runs there next may count on it
+#endif
+}
 
 std::filesystem::path programFolder() {
   static const std::filesystem::path folder = programFile().parent_path();

@@ -1,6 +1,7 @@
 // Workers that do well, die, hang, lie, or never start; shell scripts in place of the real ones.
 
 #include "batch/pool.hpp"
+#include "batch/worker.hpp"
 
 #include "assignment/usage_error.hpp"
 #include "framework_temporary_folder.hpp"
@@ -15,6 +16,10 @@
 #include <fstream>
 #include <map>
 #include <thread>
+
+#include <sched.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace {
 
@@ -206,6 +211,37 @@ TEST_F(BatchPool, CtrlCEndsTheWorkersToo) {
   std::ifstream(mark("pid")) >> pid;
   ASSERT_GT(pid, 1);
   EXPECT_NE(kill(pid, 0), 0) << "still running";
+}
+
+/// The exit code of a worker whose parent is number 1, as a container's first process is; 77 where
+/// there are no such namespaces.
+/// \param held does the parent hold the other end of the jobs?
+int workerOfTheFirstProcess(bool held) {
+  const auto codeOf = [](pid_t child) {
+    int status = 0;
+    return waitpid(child, &status, 0) == child && WIFEXITED(status) ? WEXITSTATUS(status) : 78;
+  };
+  const pid_t outer = fork();
+  if (outer != 0) return codeOf(outer);
+  if (unshare(CLONE_NEWUSER | CLONE_NEWPID) != 0) _exit(77);
+  const pid_t first = fork();
+  if (first != 0) _exit(codeOf(first));
+  int jobs[2];
+  if (pipe(jobs) != 0 || getpid() != 1) _exit(79);
+  if (!held) close(jobs[1]);
+  const pid_t worker = fork();
+  if (worker != 0) _exit(codeOf(worker));
+  dup2(jobs[0], STDIN_FILENO);
+  if (held) close(jobs[1]);
+  batch::endWithParent();
+  _exit(0);
+}
+
+TEST(BatchWorker, GoesOnBelowAContainersFirstProcessAndEndsWithIt) {
+  const int held = workerOfTheFirstProcess(true);
+  if (held == 77) GTEST_SKIP() << "no namespaces of users and processes here";
+  EXPECT_EQ(held, 0);
+  EXPECT_EQ(workerOfTheFirstProcess(false), 1);
 }
 
 } // namespace

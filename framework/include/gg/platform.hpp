@@ -8,6 +8,10 @@
 
 namespace gg {
 
+/// Before anything is printed: on Windows, makes the terminal show UTF-8 and sets LANG to the
+/// user's language if it isn't set; elsewhere both are so.
+void prepareTerminal();
+
 /// The folder that the running program lies in. Files are found from there, never from the current
 /// directory.
 std::filesystem::path programFolder();
