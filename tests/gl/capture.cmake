@@ -46,6 +46,20 @@ target_compile_definitions(capture_test PRIVATE
 get_property(programs GLOBAL PROPERTY GGRADE_CAPTURE_PROGRAMS)
 add_dependencies(capture_test ggrade_capture ${programs})
 
+# What machine code llvmpipe makes of the references' shaders.
+if(EXISTS ${PROJECT_SOURCE_DIR}/solutions AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT GGRADE_ASAN)
+  add_library(ggrade_code_dump SHARED ${CMAKE_CURRENT_LIST_DIR}/capture_programs/code_dump.c)
+  target_link_libraries(ggrade_code_dump PRIVATE ${CMAKE_DL_LIBS})
+  ggrade_test(exact_code_test gl
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/exact_code_test.cpp COST 10)
+  target_compile_definitions(exact_code_test PRIVATE
+    GGRADE_CAPTURE_FOLDER="${CMAKE_BINARY_DIR}/capture"
+    GGRADE_CAPTURE_PROGRAMS="${capture_programs}"
+    GGRADE_SOLUTIONS="${CMAKE_BINARY_DIR}/solutions"
+    GGRADE_CODE_DUMP="$<TARGET_FILE:ggrade_code_dump>")
+  add_dependencies(exact_code_test ggrade_capture capture_hostile_passes ggrade_code_dump)
+endif()
+
 # GLFW's own contract, function by function, in a process that has the capture library on its run path.
 ggrade_test(capture_glfw_test gl SEPARATE
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/capture_glfw_test.cpp

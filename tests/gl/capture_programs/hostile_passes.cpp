@@ -131,6 +131,19 @@ const Scenarios kScenarios = {
          drawFull();
        };
      }},
+    {"srgb_target",
+     [] {
+       const GLuint program = plainProgram();
+       const GLuint framebuffer = makeFramebuffer(makeTexture(GL_SRGB8_ALPHA8));
+       return [=](int) {
+         glUseProgram(program);
+         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+         glEnable(GL_FRAMEBUFFER_SRGB);
+         drawFull();
+         glDisable(GL_FRAMEBUFFER_SRGB);
+         glBindFramebuffer(GL_FRAMEBUFFER, 0);
+       };
+     }},
     {"nonsense",
      [] {
        const GLuint program = textureProgram();
