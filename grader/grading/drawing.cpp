@@ -4,16 +4,23 @@
 #include "grading/toolchain.hpp"
 #include "sandbox/descriptor.hpp"
 #include "sandbox/sandbox.hpp"
+#include "words/words.hpp"
 
+#include <fmt/format.h>
+
+#include <cerrno>
 #include <cstdlib>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include <fcntl.h>
 
 namespace ggrade::grading {
 
 namespace fs = std::filesystem;
+using gg::say;
 
 namespace {
 
@@ -39,7 +46,7 @@ Drawing readProbe(const std::string& context, const std::string& said) {
   const auto admit = [&](const fs::path& path) {
     all.files.push_back(fs::canonical(path.parent_path()) / path.filename());
     const sandbox::Descriptor file(open(all.files.back().c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file) throw CannotDraw(all.files.back().string() + " can't be opened");
+    if (!file) throw std::system_error(errno, std::generic_category(), all.files.back().string());
     posix_fadvise(file.get(), 0, 0, POSIX_FADV_WILLNEED);
   };
   std::istringstream lines(said);
@@ -72,6 +79,8 @@ Drawing find() {
   std::string why;
   for (const std::string& context : tried) {
     const sandbox::Result run = runProbe(context);
+    // That says nothing of the context: another one is no remedy.
+    if (run.end == sandbox::End::setupFailed) throw std::runtime_error(run.detail);
     const auto refuse = [&](const std::string& reason) {
       why += (why.empty() ? "" : "; ") + context + ": " + reason;
     };
@@ -93,8 +102,39 @@ void chooseContext(const std::string& name) {
   setenv(kVariable, name.c_str(), 1);
 }
 
+std::string drawsNoMore() {
+  const Drawing& before = drawing();
+  const sandbox::Result run = runProbe(before.context);
+  const auto nothing = [](const std::string& why) {
+    return say("nothing draws here any more: {}", why);
+  };
+  if (run.end != sandbox::End::exited || run.exitCode != 0)
+    return nothing(run.detail.empty() ? reasonIn(run.standardError) : run.detail);
+  try {
+    const std::string now = readProbe(before.context, run.standardOutput).renderer.version;
+    if (now == before.renderer.version) return {};
+    return say("what draws here was {} and is {} now", before.renderer.version, now);
+  } catch (const std::exception& error) {
+    return nothing(error.what());
+  }
+}
+
 const Drawing& drawing() {
-  static const Drawing found = find();
+  static const Drawing found = [] {
+    try {
+      Drawing all = find();
+      chooseContext(all.context); // workers draw as their parent does
+      return all;
+    } catch (const CannotDraw&) {
+      throw;
+    } catch (const UsageError&) {
+      throw;
+    } catch (const std::exception& error) {
+      throw std::runtime_error(fmt::format(
+          "{} can't find out what draws here: {}. Mend that, then run the command again",
+          toolchain::kProbe, error.what()));
+    }
+  }();
   return found;
 }
 

@@ -36,4 +36,8 @@ struct CannotDraw : std::runtime_error {
 /// Found out by running a program of ours that is linked as submissions are. Throws CannotDraw.
 const Drawing& drawing();
 
+/// Empty where programs can draw as drawing() found; else what has become of it: its packages may
+/// be updated while a class is graded.
+std::string drawsNoMore();
+
 } // namespace ggrade::grading

@@ -150,6 +150,11 @@ Rendering runCaptured(const sandbox::Command& command, Isolation isolation,
   const sandbox::Result run = sandbox::run(command, isolation, &interrupted);
   channel::Capture capture = channel.read();
   Happened happened = classify(run, capture, frameCount);
+  if (capture.frames.empty() && happened.outcome != Outcome::notGradable)
+    if (std::string problem = drawsNoMore(); !problem.empty()) {
+      happened.outcome = Outcome::notGradable;
+      happened.detail = std::move(problem);
+    }
   return {std::move(happened), std::move(capture)};
 }
 

@@ -3,9 +3,11 @@
 #include "bwrap_arguments.hpp"
 #include "helper_plan.hpp"
 
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <linux/capability.h>
 #include <sstream>
 #include <unistd.h>
 
@@ -16,6 +18,17 @@ std::string setting(const char* path) {
   std::string value;
   std::ifstream(path) >> value;
   return value;
+}
+
+/// Root in a container may lack single rights. By this one the processes of a run are measured,
+/// which belong to another user then.
+bool rootMayNotTrace() {
+  if (geteuid() != 0) return false;
+  std::ifstream status("/proc/self/status");
+  for (std::string key; status >> key;)
+    if (std::uint64_t rights = 0; key == "CapEff:" && status >> std::hex >> rights)
+      return !(rights >> CAP_SYS_PTRACE & 1);
+  return false;
 }
 
 /// The most likely reason why bwrap does not work here, with its remedy.
@@ -34,8 +47,8 @@ std::string diagnose(const std::string& detail) {
   for (const char* mark : {"/.dockerenv", "/run/.containerenv"})
     if (access(mark, F_OK) == 0)
       return "this container may not make namespaces (" + detail +
-             "). Remedy: run it with --privileged, or with --security-opt seccomp=unconfined "
-             "--security-opt systempaths=unconfined";
+             "). Remedy: run it as an ordinary user (--user 1000:1000) with --security-opt "
+             "seccomp=unconfined --security-opt systempaths=unconfined; docs/class.md says more";
   return "the sandbox does not work here: " + detail;
 }
 
@@ -49,6 +62,10 @@ SelfTest selfTest() {
   if (access("/proc/thread-self/children", R_OK) != 0)
     return fails("this kernel doesn't list the children of a process (CONFIG_PROC_CHILDREN), or "
                  "/proc is not mounted. Remedy: a kernel of a distribution, with /proc");
+  if (rootMayNotTrace())
+    return fails(
+        "root may not see the processes of other users here (CAP_SYS_PTRACE). Remedy: run "
+        "it as an ordinary user; in a container --user 1000:1000, or --cap-add SYS_PTRACE");
   Command command;
   command.arguments = {kHelperInside, "probe"};
   command.limits.wallSeconds = 10;
