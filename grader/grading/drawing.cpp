@@ -2,6 +2,7 @@
 
 #include "assignment/usage_error.hpp"
 #include "grading/toolchain.hpp"
+#include "report/text.hpp"
 #include "sandbox/descriptor.hpp"
 #include "sandbox/sandbox.hpp"
 #include "words/words.hpp"
@@ -61,12 +62,14 @@ Drawing readProbe(const std::string& context, const std::string& said) {
   return all;
 }
 
-/// The first line of what the capture library said, or else anybody.
-std::string reasonIn(const std::string& text) {
+/// Why it did not draw: the first line that the capture library said, or else anybody.
+std::string reasonOf(const sandbox::Result& run) {
   constexpr std::string_view kOurs = "ggrade capture: ";
+  const std::string& text = run.standardError;
   const std::size_t ours = text.find(kOurs);
   const std::size_t start = ours == text.npos ? 0 : ours + kOurs.size();
-  return text.substr(start, text.find('\n', start) - start);
+  const std::string said = report::sanitizeLine(text.substr(start, text.find('\n', start) - start));
+  return said.empty() ? run.detail : said;
 }
 
 Drawing find() {
@@ -85,15 +88,16 @@ Drawing find() {
       why += (why.empty() ? "" : "; ") + context + ": " + reason;
     };
     if (run.end != sandbox::End::exited || run.exitCode != 0) {
-      refuse(run.detail.empty() ? reasonIn(run.standardError) : run.detail);
+      refuse(reasonOf(run));
       continue;
     }
     Drawing all = readProbe(context, run.standardOutput);
     if (context == "gpu" || all.renderer.name.starts_with("llvmpipe")) return all;
     refuse("draws with " + all.renderer.name + " instead of llvmpipe");
   }
-  throw CannotDraw("nothing to draw with (" + why +
-                   "). Remedy: install libosmesa6, or libegl1 with libgl1-mesa-dri");
+  throw CannotDraw(
+      "nothing to draw with (" + why +
+      "). Remedy: apt-get install --reinstall libosmesa6, or libegl1 and libgl1-mesa-dri");
 }
 
 } // namespace
@@ -108,8 +112,7 @@ std::string drawsNoMore() {
   const auto nothing = [](const std::string& why) {
     return say("nothing draws here any more: {}", why);
   };
-  if (run.end != sandbox::End::exited || run.exitCode != 0)
-    return nothing(run.detail.empty() ? reasonIn(run.standardError) : run.detail);
+  if (run.end != sandbox::End::exited || run.exitCode != 0) return nothing(reasonOf(run));
   try {
     const std::string now = readProbe(before.context, run.standardOutput).renderer.version;
     if (now == before.renderer.version) return {};

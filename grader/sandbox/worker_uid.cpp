@@ -21,7 +21,7 @@ constexpr uid_t kCount = 606;
 /// that runs as root, begins elsewhere and so is next to never met.
 uid_t firstTried() {
   struct stat status {};
-  if (stat("/proc/self/ns/net", &status) != 0) return 0;
+  if (stat("/proc/thread-self/ns/net", &status) != 0) return 0;
   // Namespaces are numbered one after the other; this spreads them (Knuth's multiplicative hash).
   return static_cast<uid_t>((static_cast<std::uint32_t>(status.st_ino) * 2654435761U >> 16) %
                             kCount);

@@ -53,29 +53,6 @@ protected:
   fs::path out_ = folder_.path() / "out";
 };
 
-TEST_F(Render, BothContextsDrawTheSame) {
-  const Arguments options = {"floor", "--solution", "--size", "160x120", "--times", "0,0.5"};
-  std::map<std::string, std::vector<std::string>> drawn;
-  for (const std::string context : {"osmesa", "egl"}) {
-    Arguments arguments = options;
-    arguments.insert(arguments.end(), {"--context", context});
-    drawn[context] = frames(arguments);
-    EXPECT_THAT(trace().at("gl_renderer").get<std::string>(), HasSubstr("llvmpipe"));
-    EXPECT_EQ(trace().at("context"), context);
-  }
-  ASSERT_EQ(drawn["egl"].size(), 2u);
-  EXPECT_TRUE(drawn["egl"] == drawn["osmesa"]);
-}
-
-TEST_F(Render, AContextThatIsNotThereIsNamedWithARemedy) {
-  const Ended unknown = runTool({"grade", "mirror", folder_.path(), "--context", "gpu"});
-  EXPECT_EQ(unknown.exitCode, 2) << "grades come from llvmpipe";
-  const Ended ended =
-      runTool({"render", "floor", "--solution", "--out", out_}, {{"GGRADE_CONTEXT", "nonsense"}});
-  EXPECT_EQ(ended.exitCode, 2);
-  EXPECT_THAT(ended.errors, HasSubstr("GGRADE_CONTEXT nonsense: auto, osmesa, egl or gpu"));
-}
-
 TEST_F(Render, TargetsOfEveryKindAgree) {
   const auto byId = frames({"floor", "--solution", "--size", "160x120"});
   ASSERT_EQ(byId.size(), 1u);

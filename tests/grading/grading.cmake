@@ -23,7 +23,8 @@ grading_test_program(steps_grading_test TIMEOUT 400 COST 80 SOURCES grade_steps_
 grading_test_program(diagnosis_grading_test TIMEOUT 1800 COST 200 SOURCES
   grade_demo_test.cpp grade_diagnosis_test.cpp grade_language_test.cpp)
 grading_test_program(command_grading_test TIMEOUT 300 COST 100 SOURCES
-  grade_full_disk_test.cpp grade_input_test.cpp grade_interrupt_test.cpp grade_outcomes_test.cpp grade_render_test.cpp)
+  grade_drawing_test.cpp grade_full_disk_test.cpp grade_input_test.cpp grade_interrupt_test.cpp grade_outcomes_test.cpp
+  grade_render_test.cpp)
 add_dependencies(command_grading_test ggrade_compare floor floor_solution)
 grading_test_program(study_grading_test TIMEOUT 600 COST 60 SOURCES
   grade_calibrate_test.cpp grade_tradeoff_test.cpp)

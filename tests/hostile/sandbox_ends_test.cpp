@@ -6,7 +6,9 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <linux/capability.h>
 #include <sched.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -155,6 +157,29 @@ TEST(SandboxUnavailable, SaysWhyWithTheRemedy) {
   EXPECT_EQ(text,
             "available; user namespaces are off. Remedy: sysctl user.max_user_namespaces=10000");
   for (const int end : {ready[0], ready[1], go[0], go[1], answer[0], answer[1]}) close(end);
+}
+
+// As in a container that runs as root.
+TEST(SandboxUnavailable, ToRootWithoutTheRightToTrace) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs root";
+  int answer[2];
+  ASSERT_EQ(pipe(answer), 0);
+  const pid_t child = fork();
+  if (child == 0) {
+    __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
+    __user_cap_data_struct rights[2];
+    if (syscall(SYS_capget, &header, rights) != 0) _exit(1);
+    rights[0].effective &= ~(1U << CAP_SYS_PTRACE);
+    if (syscall(SYS_capset, &header, rights) != 0) _exit(1);
+    const std::string text = selfTest().problem.value_or("available");
+    (void)!write(answer[1], text.data(), text.size());
+    _exit(0);
+  }
+  std::string text(1000, '\0');
+  text.resize(static_cast<std::size_t>(read(answer[0], text.data(), text.size())));
+  waitpid(child, nullptr, 0);
+  EXPECT_THAT(text, testing::AllOf(HasSubstr("(CAP_SYS_PTRACE)"), HasSubstr("--user 1000:1000")));
+  for (const int end : answer) close(end);
 }
 
 SANDBOX_SUITE(SandboxNone);

@@ -234,6 +234,23 @@ TEST_P(SandboxProcesses, RunsBesideEachOtherHaveDistinctUids) {
   EXPECT_EQ(uids.size(), geteuid() == 0 ? 3u : 1u);
 }
 
+// Neither sees the other's claim, and each would take the other's processes for left over.
+TEST(SandboxLeftOver, IsNotWhatRunsInAnotherNetwork) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs root";
+  const uid_t here = ggrade::sandbox::WorkerUid().get();
+  std::set<uid_t> all = {here};
+  for (int i = 0; i < 8; ++i) {
+    uid_t there = 0;
+    std::thread([&] {
+      if (unshare(CLONE_NEWNET) == 0) there = ggrade::sandbox::WorkerUid().get();
+    }).join();
+    all.insert(there);
+  }
+  // Of 606; now and then two are the same.
+  EXPECT_GE(all.size(), 7U);
+  for (const uid_t uid : all) EXPECT_TRUE(uid >= 60578 && uid <= 61183) << uid;
+}
+
 // What a killed tool leaves behind: a bwrap that nobody waits for any more, say.
 TEST(SandboxLeftOver, IsEndedByTheNextRunWithTheSameUid) {
   if (geteuid() != 0) GTEST_SKIP() << "needs root";
