@@ -180,4 +180,16 @@ TEST_F(WhatDraws, AContextThatIsNoneIsRefused) {
   EXPECT_THAT(ended.errors, HasSubstr("GGRADE_CONTEXT nonsense: auto, osmesa, egl or gpu"));
 }
 
+// qemu's user mode stands for such a machine; ggrade doesn't install it.
+TEST(WithoutAvx, IsSaidByEveryProgramThatPeopleStart) {
+  const fs::path qemu = "/usr/bin/qemu-x86_64";
+  if (!fs::exists(qemu)) GTEST_SKIP() << "qemu-user is not installed";
+  for (const char* program : {"ggrade", "ggrade-author", "ggrade-check", "ggrade-compare"}) {
+    const Ended ended =
+        Running({qemu, "-cpu", "qemu64", kBuild / "bin" / program, "--help"}).wait(20);
+    EXPECT_EQ(ended.exitCode, 3) << program;
+    EXPECT_THAT(ended.errors, AllOf(HasSubstr("no AVX"), HasSubstr("Remedy")));
+  }
+}
+
 } // namespace

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <fstream>
 #include <sstream>
 
 using namespace tool;
@@ -77,6 +78,31 @@ TEST_F(Wrapper, SpeaksTheLanguageThatStandsAfterTheCommand) {
   EXPECT_EQ(run({"run", "none", "--lang=ja"}).errors, said);
   EXPECT_THAT(run({"run", "none", "--", "--lang", "ja"}).errors,
               StartsWith("ggrade: there is no assignment or part"));
+}
+
+/// Into a pipe, too, where ninja's own lines don't go.
+TEST_F(Wrapper, SaysFromTimeToTimeHowFarABuildIs) {
+  const fs::path tools = folder_.path() / "tools";
+  fs::create_directories(tools);
+  const auto make = [&](const char* name, const std::string& script) {
+    std::ofstream(tools / name) << "#!/bin/sh\n" << script << '\n';
+    fs::permissions(tools / name, fs::perms::owner_all);
+  };
+  make("cmake", "exit 0");
+  make("sleep", "exec /bin/sleep 0.2"); // in place of 10 s
+  make("ninja", "echo \"[1/7] one\"; echo \"[3/7] three\"; /bin/sleep 1");
+  std::ofstream(folder_.path() / "cmake" / "packages.txt") << "[student]\n";
+  fs::create_directories(folder_.path() / "assignments/small");
+  std::ofstream(folder_.path() / "assignments/small/assignment.json") << R"({"id": "small"})";
+  std::ofstream(folder_.path() / "assignments/small/small.cpp") << '\n';
+  const std::string path = tools.string() + ":/usr/bin:/bin";
+  const Ended ended =
+      Running({folder_.path() / "ggrade", "run", "small"}, {{"PATH", path}}, folder_.path())
+          .wait(10);
+  EXPECT_THAT(ended.errors, HasSubstr("ggrade: configuring (release, student)\n"
+                                      "ggrade: building [3/7]\n"
+                                      "ggrade: building [3/7]\n"));
+  EXPECT_FALSE(ended.late);
 }
 
 /// A command that isn't there, or can't do its work here, is refused at once: minutes of building
