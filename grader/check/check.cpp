@@ -100,7 +100,9 @@ public:
         windows_(expected.scenes.size()) {}
 
   Checked run() {
-    begun_ = begun(stubFolder(expected_.folder), folder_);
+    const Begun text = begun(stubFolder(expected_.folder), folder_);
+    begun_ = text.certain;
+    possible_ = text.possible;
     step_ = expectedStep(expected_, begun_);
     checked_.rows = notJudged();
     const fs::path program = work_ / "program";
@@ -110,6 +112,8 @@ public:
     compilerOutput_ = checked_.happened.output;
     if (checked_.happened.ok()) {
       draw(program);
+      settleBegun();
+      observe(trace_);
       checked_.drawn = !shown_.empty() && shown_[0].has_value();
       if (checked_.drawn) judge();
     }
@@ -132,12 +136,13 @@ private:
     const grading::Rendering first = drawScene(program, 0);
     checked_.messages = messagesOf(first);
     facts_ = grading::factsOf(first.capture, first.capture.trace);
-    observe(first.capture.trace);
+    trace_ = first.capture.trace;
     checked_.happened = first.happened;
     if (!checked_.happened.ok()) return;
     std::vector<std::size_t> others;
     for (std::size_t i = 1; i < expected_.scenes.size(); ++i)
-      if (const std::string& todo = expected_.scenes[i].todo; todo.empty() || begun_.count(todo))
+      if (const std::string& todo = expected_.scenes[i].todo;
+          todo.empty() || begun_.count(todo) || possible_.count(todo))
         others.push_back(i);
     std::vector<grading::Happened> happened(others.size());
     grading::inParallel(others.size(), grading::workers(), [&](std::size_t k) {
@@ -145,6 +150,16 @@ private:
     });
     for (const grading::Happened& one : happened)
       if (!one.ok() && checked_.happened.ok()) checked_.happened = one;
+  }
+
+  /// Where somebody has written anything, pictures tell what of it is done, wherever it stands. Of
+  /// what may have been begun, that is what comes before something that has: steps are taken in
+  /// order.
+  void settleBegun() {
+    if (!begun_.empty() || !possible_.empty()) begun_.merge(doneInPictures(expected_, shown_));
+    step_ = expectedStep(expected_, begun_);
+    for (std::size_t k = 0; k < step_; ++k)
+      if (possible_.count(expected_.todos[k])) begun_.insert(expected_.todos[k]);
   }
 
   /// What needs no picture to be told: the state that OpenGL was in, what the frame doctor found,
@@ -243,10 +258,15 @@ private:
     if (faults.empty() && step_ < expected_.todos.size() && !isWindowRight(scene))
       faults = showingTheSame(scene, expected_.todos.size());
     if (faults.empty() || faults.size() > kMostCauses) return {};
-    checked_.cause = words(faults[0]->title);
-    for (std::size_t k = 1; k < faults.size(); ++k)
-      checked_.cause = say("{}. Or: {}", checked_.cause, words(faults[k]->title));
-    if (faults.size() == 1) checked_.hint = words(faults[0]->hint);
+    if (faults.size() == 1) {
+      checked_.cause = words(faults[0]->title);
+      checked_.hint = words(faults[0]->hint);
+    } else {
+      checked_.cause = say("one of {} mistakes that look alike so far", faults.size());
+      for (const Fault* fault : faults)
+        checked_.hint += fmt::format("{}- {}\n  {}", checked_.hint.empty() ? "" : "\n",
+                                     words(fault->title), words(fault->hint));
+    }
     return faults[0]->todo;
   }
 
@@ -383,7 +403,8 @@ private:
   const Expected& expected_;
   const fs::path& folder_;
   const fs::path& work_;
-  std::set<std::string> begun_;
+  std::set<std::string> begun_, possible_;
+  trace::Trace trace_;   // of the public scene
   std::size_t step_ = 0; // up to which the program should be right
   std::string compilerOutput_;
   diagnosis::Facts facts_;

@@ -115,9 +115,10 @@ private:
     std::vector<std::size_t> all, begunOnes;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
       all.push_back(i);
-      const std::set<std::string> places = begun(stubFolder(expected_[i].folder), folder_);
-      if (std::ranges::any_of(parts_[i]->todos,
-                              [&](const Todo& todo) { return places.count(todo.id) > 0; }))
+      const Begun text = begun(stubFolder(expected_[i].folder), folder_);
+      if (std::ranges::any_of(parts_[i]->todos, [&](const Todo& todo) {
+            return text.certain.count(todo.id) || text.possible.count(todo.id);
+          }))
         begunOnes.push_back(i);
     }
     if (!options_.id.empty()) return all;

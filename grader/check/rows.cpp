@@ -110,6 +110,14 @@ public:
     return false;
   }
 
+  /// Is this picture as after step k or a later one, and as after none before?
+  bool isFrom(std::size_t cell, std::size_t k) const {
+    if (!ofProgram(cells_[cell])) return false;
+    for (std::size_t before = 0; before < k; ++before)
+      if (ofStep(before, cells_[cell]) && same(cell, before)) return false;
+    return isRight(cell, k, k);
+  }
+
   /// How well the pixels that step k changes in a picture are those that aren't as after step
   /// `should`: their intersection over their union.
   double overlap(std::size_t cell, std::size_t k, std::size_t should) const {
@@ -157,6 +165,15 @@ bool allRight(const std::vector<Row>& rows) {
   return std::ranges::all_of(rows, [](const Row& row) {
     return row.state == State::done || row.state == State::notBegun;
   });
+}
+
+std::set<std::string> doneInPictures(const Expected& expected, const Shown& shown) {
+  const Judging judging(expected, shown);
+  std::set<std::string> done;
+  for (std::size_t k = 1; k < judging.steps(); ++k)
+    if (const auto first = judging.firstChanged(k); first && judging.isFrom(*first, k))
+      done.insert(expected.todos[k - 1]);
+  return done;
 }
 
 std::vector<Slot> ownPasses(const Expected& expected, const SceneViews& shown, std::size_t scene) {

@@ -47,6 +47,10 @@ struct Suspect {
 std::vector<Row> rows(const Expected& expected, const Shown& shown,
                       const std::set<std::string>& begun, const Suspect& suspect = {});
 
+/// TODOs that are done for all to see: the first picture of a frame that one changes is as after it
+/// or a later one, and as after none before it.
+std::set<std::string> doneInPictures(const Expected& expected, const Shown& shown);
+
 /// Passes that a program draws in one scene and that it has after none of the steps, such as one
 /// into a texture of another size.
 std::vector<diagnosis::Slot> ownPasses(const Expected& expected, const diagnosis::SceneViews& shown,

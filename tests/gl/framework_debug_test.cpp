@@ -2,7 +2,10 @@
 
 #include "framework_window.hpp"
 #include <gg/debug.hpp>
+#include <gg/handle.hpp>
 #include <gmock/gmock.h>
+
+#include <set>
 
 namespace {
 
@@ -36,6 +39,24 @@ TEST_F(Debug, ACorrectProgramPrintsNothing) {
   p.use();
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   EXPECT_EQ(GetCapturedStderr(), "");
+}
+
+// The first texture and the first framebuffer were both called 2, so that a mix-up drew.
+TEST_F(Debug, ANameOfOneKindIsNoneOfAnother) {
+  CaptureStderr();
+  const gg::Texture texture;
+  const gg::Framebuffer framebuffer;
+  const gg::Renderbuffer renderbuffer;
+  EXPECT_EQ(std::set<GLuint>({texture, framebuffer, renderbuffer}).size(), 3U);
+  EXPECT_EQ(gg::Texture(), texture + 1) << "only the first one skips names";
+  glBindFramebuffer(GL_FRAMEBUFFER, texture);
+  // Mesa makes one of it that has no attachment, other drivers refuse.
+  EXPECT_NE(glCheckFramebufferStatus(GL_FRAMEBUFFER), GLenum{GL_FRAMEBUFFER_COMPLETE});
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+  glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, renderbuffer, 0);
+  EXPECT_NE(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  GetCapturedStderr();
 }
 
 } // namespace

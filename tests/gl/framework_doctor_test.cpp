@@ -152,13 +152,14 @@ TEST_P(Doctor, AFramebufferObjectIsLeftBound) {
     red.use();
     draw();
   });
-  EXPECT_EQ(printed,
-            "frame doctor: framebuffer object 1 is still bound at the end of the frame; the window "
-            "needs glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last "
-            "(framework_doctor_test.cpp:" +
-                std::to_string(line) +
-                ")\nframe doctor: nothing is drawn to the window: all that this frame draws goes "
-                "to framebuffer objects\n");
+  EXPECT_EQ(
+      printed,
+      "frame doctor: framebuffer object 1 is still bound at the end of the frame; the window "
+      "needs glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last "
+      "(framework_doctor_test.cpp:" +
+          std::to_string(line) +
+          ")\nframe doctor: nothing is drawn to the window: all that this frame draws goes "
+          "to framebuffer objects\n");
 }
 
 TEST_P(Doctor, AnIncompleteFramebuffer) {
@@ -171,7 +172,7 @@ TEST_P(Doctor, AnIncompleteFramebuffer) {
                 draw();
                 glBindFramebuffer(GL_FRAMEBUFFER, 0);
               }),
-              HasSubstr("framebuffer object 1 is not complete, so nothing is drawn into it: an "
+              HasSubstr("framebuffer object 301 is not complete, so nothing is drawn into it: an "
                         "attachment has no storage"));
 }
 
@@ -200,12 +201,13 @@ TEST_P(Doctor, AFramebufferWithoutItsColour) {
     });
   };
   constexpr GLbitfield kBoth = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
-  EXPECT_THAT(withDepth(GL_COLOR_ATTACHMENT0, kBoth),
-              AllOf(HasSubstr("frame doctor: framebuffer object 1 has no colour attachment, so its "
-                              "colours are neither cleared nor drawn: glFramebufferTexture2D "
-                              "attaches a texture, as GL_COLOR_ATTACHMENT0. Where depth is enough, "
-                              "glDrawBuffer(GL_NONE) (framework_doctor_test.cpp:"),
-                    ResultOf(lines, 1)));
+  EXPECT_THAT(
+      withDepth(GL_COLOR_ATTACHMENT0, kBoth),
+      AllOf(HasSubstr("frame doctor: framebuffer object 301 has no colour attachment, so its "
+                      "colours are neither cleared nor drawn: glFramebufferTexture2D "
+                      "attaches a texture, as GL_COLOR_ATTACHMENT0. Where depth is enough, "
+                      "glDrawBuffer(GL_NONE) (framework_doctor_test.cpp:"),
+            ResultOf(lines, 1)));
   EXPECT_EQ(withDepth(GL_NONE, kBoth), "");
   EXPECT_EQ(withDepth(GL_COLOR_ATTACHMENT0, GL_DEPTH_BUFFER_BIT), "") << "as a shadow map may";
 }
@@ -220,7 +222,7 @@ TEST_P(Doctor, AViewportThatDoesNotFit) {
               clear();
               draw();
             }),
-            "frame doctor: the viewport is 32 x 32 pixels, but framebuffer object 1 is 48 x 16. "
+            "frame doctor: the viewport is 32 x 32 pixels, but framebuffer object 301 is 48 x 16. "
             "Call glViewport after binding what is drawn into\n");
 }
 

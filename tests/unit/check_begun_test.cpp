@@ -2,11 +2,17 @@
 
 #include <gmock/gmock.h>
 
-using ggrade::check::begunIn;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
 namespace {
+
+std::set<std::string> begunIn(std::string_view stub, std::string_view text) {
+  return ggrade::check::begunIn(stub, text).certain;
+}
+std::set<std::string> possiblyBegunIn(std::string_view stub, std::string_view text) {
+  return ggrade::check::begunIn(stub, text).possible;
+}
 
 const std::string kStub = R"(#include <gg/gg.hpp>
 
@@ -76,6 +82,67 @@ TEST(CheckBegun, APlaceEndsWhereOneComesFilledIn) {
 TEST(CheckBegun, APlaceOfSeveralTodosIsNobodys) {
   EXPECT_THAT(begunIn(kStub, with("end here.", "  cull(back);")), IsEmpty());
   EXPECT_THAT(begunIn(kStub, with("#include <gg/gg.hpp>", "#include <vector>")), IsEmpty());
+}
+
+const std::string kVisibility = R"(float visibility(vec3 world) {
+  // TODO(shadow.4): ask the map, uShadowMap.
+  //   Given: `world`.
+  // TODO(shadow.6): bonus: if uShadowBias is 3, move the point along uNormal.
+  // Then TODO(shadow.4) goes on.
+  // TODO(shadow.5): bonus: if uPcfRadius > 0, the mean of uShadowMap.
+  // Then TODO(shadow.4) goes on.
+  return 1.0;
+}
+)";
+const std::string kAll = "  world += uShadowBias;\n  float sum = texture(uShadowMap);\n"
+                         "  for (int i = -uPcfRadius; i < 3; ++i) sum += 1;\n  return sum;\n";
+
+TEST(CheckBegun, WhatIsWrittenBelowTheLastCommentIsKnownByItsNames) {
+  std::string text = kVisibility;
+  text.replace(text.find("  return 1.0;\n"), 14, kAll);
+  EXPECT_THAT(begunIn(kVisibility, text), ElementsAre("shadow.4", "shadow.5", "shadow.6"));
+}
+
+TEST(CheckBegun, CommentsThatAreGoneAreNoEvidence) {
+  const std::size_t first = kVisibility.find("  // TODO(shadow.4)"),
+                    end = kVisibility.find("  ret");
+  std::string text = kVisibility;
+  text.erase(first, end - first);
+  EXPECT_THAT(begunIn(kVisibility, text), IsEmpty());
+  EXPECT_THAT(possiblyBegunIn(kVisibility, text), IsEmpty());
+  text.replace(text.find("  return 1.0;\n"), 14, "  return ask(world);\n");
+  EXPECT_THAT(begunIn(kVisibility, text), IsEmpty()) << "whose is it?";
+  EXPECT_THAT(possiblyBegunIn(kVisibility, text), ElementsAre("shadow.4", "shadow.5", "shadow.6"));
+  text.replace(text.find("  return ask(world);\n"), 21, kAll);
+  EXPECT_THAT(begunIn(kVisibility, text), ElementsAre("shadow.5", "shadow.6"));
+  EXPECT_THAT(possiblyBegunIn(kVisibility, text), ElementsAre("shadow.4"));
+}
+
+TEST(CheckBegun, AnotherLayoutIsNoWork) {
+  std::string text = kStub;
+  text.replace(text.find("void frame() {"), 14, "void frame()\n{");
+  text.replace(text.find("  size = 1;"), 11, "  size\n   =\n 1 ; // one");
+  text.replace(text.find("  swap();"), 9, "  /* at last */ swap();");
+  EXPECT_THAT(begunIn(kStub, text), IsEmpty());
+  EXPECT_THAT(possiblyBegunIn(kStub, text), IsEmpty());
+  text.replace(text.find("draw into it"), 0, "I do ");
+  EXPECT_THAT(begunIn(kStub, text), IsEmpty()) << "a comment that was written into";
+}
+
+// The second byte of some characters is a backslash: at a line's end it swallows the next line, for
+// the compiler and here.
+TEST(CheckBegun, ShiftJis) {
+  const std::string stub = "// TODO(mirror.1): \x95\x5C\x8E\xA6\x82\xB7\x82\xE9\nint a = 1;\n";
+  EXPECT_THAT(begunIn(stub, stub), IsEmpty());
+  EXPECT_THAT(begunIn(stub, stub + "int b; // \x95\x5C\nint c;\n"), ElementsAre("mirror.1"));
+  EXPECT_THAT(begunIn("// TODO(mirror.1): x \x95\x5C\nint a;\n", "int a;\n"),
+              ElementsAre("mirror.1"));
+}
+
+TEST(CheckBegun, BrokenTextEndsAnywhere) {
+  for (const char* text : {"", "//", "/*", "/* TODO(a.1)", "\"", "'", "#", "#\\", "\\", "a\"b",
+                           "// TODO(a.1)\\", "\"\\", "// \\\r\n", "1'000'000", "/"})
+    for (const std::string& stub : {kStub, std::string(text)}) begunIn(stub, text);
 }
 
 TEST(CheckBegun, WhiteSpaceAndCommentsTakenOutAreNoWork) {
