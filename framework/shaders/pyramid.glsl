@@ -6,7 +6,7 @@
 // ways at every size; at 2 to 1 they are the four bilinear samples at +-0.75 texels, and the plain
 // bilinear sample on the way up.
 //
-//   filter  0  5 x 5 binomial (the lecture's), up: bilinear
+//   filter  0  5 x 5 binomial, up: bilinear
 //           1  dual filter: 5 samples down, 8 up (Bjorge, Bandwidth-Efficient Rendering, 2015)
 //           2  13 samples down, 3 x 3 tent up (Jimenez, Next Generation Post Processing, 2014)
 //           3  area-weighted tent

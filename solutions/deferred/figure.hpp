@@ -6,7 +6,7 @@
 #include "objects.hpp"
 #include "targets.hpp"
 
-// The figure's pictures, numbered as in the lecture. A picture's number is its texture unit, too;
+// The figure's pictures, numbered as in figure.md. A picture's number is its texture unit, too;
 // unit 0 has the identifiers, which are no picture.
 enum class Picture {
   normal = 1,

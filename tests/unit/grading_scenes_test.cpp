@@ -234,6 +234,20 @@ TEST_F(Scenes, HandoutScenesChangeStepByStep) {
   EXPECT_EQ(scene(7), scene(0)); // a step's scene is its own
 }
 
+/// The homework's scene, for instance, which no command reads by itself.
+TEST(SceneFiles, OfEveryAssignmentCanBeDrawn) {
+  const std::set<std::string> others = {"assignment.json", "presets.json", "words.ja.json"};
+  std::set<std::string> names;
+  for (const Assignment& assignment : loadAssignments(GGRADE_SOURCE_DIR "/assignments"))
+    for (const auto& entry : std::filesystem::directory_iterator(assignment.folder)) {
+      const std::string name = entry.path().filename().string();
+      if (entry.path().extension() != ".json" || others.contains(name)) continue;
+      names.insert(name);
+      EXPECT_NO_THROW(grading::readScene(assignment, entry.path())) << entry.path();
+    }
+  EXPECT_THAT(names, testing::IsSupersetOf({"scene.json", "homework.json"}));
+}
+
 TEST_F(Scenes, ASceneFileIsCheckedAsItWasWritten) {
   const auto file = files_.write("my.json", "{\n  \"ring\": {\n    \"count\": -1\n  }\n}\n");
   EXPECT_THAT(messageOf<UsageError>([&] { grading::readScene(target_.assignment, file); }),
