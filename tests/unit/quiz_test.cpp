@@ -76,6 +76,25 @@ TEST(Quizzes, HaveOneRightAnswerAndAReasonForEach) {
   }
 }
 
+/// Who knows nothing chooses the longest.
+void expectLengthToTellNothing() {
+  int questions = 0, longest = 0;
+  for (const OfPart& one : quizzes::all())
+    for (const Question& question : one.quiz.questions) {
+      if (question.asksNumber) continue;
+      const auto length = [](const Answer& answer) { return answer.text.size(); };
+      longest += std::ranges::max_element(question.answers, {}, length)->right;
+      ++questions;
+    }
+  EXPECT_LE(longest, questions / 3);
+}
+
+TEST(Quizzes, TheRightAnswerIsSeldomTheLongest) {
+  expectLengthToTellNothing();
+  const InJapanese inJapanese;
+  expectLengthToTellNothing();
+}
+
 TEST(Quizzes, AreInBothLanguages) {
   const std::vector<OfPart> english = quizzes::all();
   const InJapanese inJapanese;
@@ -122,7 +141,7 @@ TEST(Quizzes, StudentsSeeEveryQuestionAndNoAnswer) {
         if (question.asksNumber)
           EXPECT_THAT(page, Not(HasSubstr(": " + answer.text + '\n')));
         else
-          EXPECT_THAT(page, HasSubstr(") " + answer.text + '\n'));
+          EXPECT_THAT(page, HasSubstr(")** " + answer.text + '\n'));
       }
     }
   }
