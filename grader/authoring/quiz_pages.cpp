@@ -8,29 +8,18 @@ namespace ggrade::authoring {
 
 namespace {
 
-/// "± 0.01"; nothing where only the number itself is right.
-std::string tolerance(const Answer& answer) {
-  return answer.tolerance > 0 ? fmt::format(" ± {}", answer.tolerance) : "";
-}
-
-std::string choices(const Question& question, bool answers) {
+/// What may be chosen, or a line for a number; with `reasons` every answer and why.
+std::string answersOf(const Question& question, bool reasons) {
+  if (question.asksNumber && !reasons) return gg::say("Your answer, a number:") + " ________\n";
   std::string list;
   char letter = 'a';
   for (const Answer& answer : question.answers) {
-    list += fmt::format("- **({})** {}\n", letter++, answer.text);
-    if (answers)
+    list += question.asksNumber ? fmt::format("- {} ± {}\n", answer.text, answer.tolerance)
+                                : fmt::format("- **({})** {}\n", letter++, answer.text);
+    if (reasons)
       list += fmt::format("  - {}: {}\n", answer.right ? gg::say("**Right**") : gg::say("Wrong"),
                           answer.reason);
   }
-  return list;
-}
-
-std::string numbers(const Question& question, bool answers) {
-  if (!answers) return gg::say("Your answer, a number:") + " ________\n";
-  std::string list;
-  for (const Answer& answer : question.answers)
-    list += fmt::format("- {0}{1}{2}{0}: {3}\n", answer.right ? "**" : "", answer.text,
-                        tolerance(answer), answer.reason);
   return list;
 }
 
@@ -58,9 +47,8 @@ std::string quizPage(const Quiz& quiz, const std::string& title, bool answers) {
   page += "\n";
   for (std::size_t i = 0; i < quiz.questions.size(); ++i) {
     const Question& question = quiz.questions[i];
-    page +=
-        fmt::format("\n## {}\n\n{}\n\n{}", gg::say("Question {}", i + 1), question.text,
-                    question.asksNumber ? numbers(question, answers) : choices(question, answers));
+    page += fmt::format("\n## {}\n\n{}\n\n{}", gg::say("Question {}", i + 1), question.text,
+                        answersOf(question, answers));
   }
   page += fmt::format("\n## {}\n\n{}\n", gg::say("Write-up"), quiz.writeUp);
   page += fmt::format("\n## {}\n\n", gg::say("Exercises beyond"));
