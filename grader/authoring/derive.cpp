@@ -2,6 +2,7 @@
 
 #include "authoring/handout.hpp"
 #include "authoring/pass_picture.hpp"
+#include "authoring/quiz.hpp"
 #include "authoring/solution_blocks.hpp"
 #include "grading/scenes.hpp"
 #include "grading/store.hpp"
@@ -146,16 +147,25 @@ json writeMeasured(const fs::path& adopted, const fs::path& into) {
   return figures;
 }
 
-/// How a text's file is named, and what a text in the other language says of this one.
-struct Written {
-  gg::Language language;
-  const char *ending, *name;
-};
-constexpr Written kWritten[] = {{gg::Language::english, ".md", "English"},
-                                {gg::Language::japanese, ".ja.md", "日本語"}};
+/// PART.quiz.md of the solution's PART.quiz.json, without answers. Returns a link to it for the end
+/// of the part's handout; empty if there is no quiz in this language.
+std::string writeQuiz(const Part& part, const fs::path& solutions, const Written& written,
+                      const fs::path& into) {
+  const auto quiz = quizOf(solutions, part.id);
+  if (!quiz) return "";
+  const std::string name = part.id + ".quiz";
+  std::string links;
+  for (const Written& other : kWritten)
+    if (quiz->japanese && other.language != written.language)
+      links += fmt::format("[{}]({}{})\n\n", other.name, name, other.ending);
+  report::writeFile(into / (name + written.ending), links + quizPage(*quiz, part.title, false));
+  return fmt::format("\n[{}]({}{})\n", gg::say("Test yourself: the quiz of this part"), name,
+                     written.ending);
+}
 
 /// README.md from the solution's handout.md, and PART.md from its PART.md; in another language the
-/// same from handout.ja.md and PART.ja.md. Each begins with a link to the same text in the others.
+/// same from handout.ja.md and PART.ja.md. Each begins with a link to the same text in the others,
+/// and a part's ends with one to its quiz.
 void writeTexts(const Assignment& assignment, const fs::path& solutions, const json& figures,
                 const Written& written, const fs::path& into) {
   const auto stub = [&](const std::string& file) {
@@ -164,7 +174,7 @@ void writeTexts(const Assignment& assignment, const fs::path& solutions, const j
   const auto measured = [&](const std::string& part) {
     return figures.empty() ? "" : tradeoff::handoutText(figures, part);
   };
-  const auto write = [&](const std::string& from, const std::string& to) {
+  const auto write = [&](const std::string& from, const std::string& to, const Part* part) {
     const fs::path source = solutions / (from + written.ending);
     if (!fs::exists(source)) return;
     std::string links;
@@ -173,10 +183,11 @@ void writeTexts(const Assignment& assignment, const fs::path& solutions, const j
         links += fmt::format("[{}]({}{})\n\n", other.name, to, other.ending);
     report::writeFile(
         into / (to + written.ending),
-        links + expandHandout(readFile(source), source.string(), assignment, stub, measured));
+        links + expandHandout(readFile(source), source.string(), assignment, stub, measured) +
+            (part ? writeQuiz(*part, solutions, written, into) : ""));
   };
-  write("handout", "README");
-  for (const Part& part : assignment.parts) write(part.id, part.id);
+  write("handout", "README", assignment.isOnePart() ? &assignment.parts[0] : nullptr);
+  for (const Part& part : assignment.parts) write(part.id, part.id, &part);
 }
 
 /// The charts that `tradeoff --adopt` kept, in the language that was chosen.

@@ -4,11 +4,21 @@
 /// handout shows what isn't so.
 
 #include "assignment/assignment.hpp"
+#include "words/words.hpp"
 
 #include <functional>
 #include <string>
 
 namespace ggrade::authoring {
+
+/// A language that texts are handed out in: how their files end, and what a text in the other one
+/// says of this one.
+struct Written {
+  gg::Language language;
+  const char *ending, *name;
+};
+inline constexpr Written kWritten[] = {{gg::Language::english, ".md", "English"},
+                                       {gg::Language::japanese, ".ja.md", "日本語"}};
 
 /// Replaces directives, each alone on its line. `{{excerpt FILE "ANCHOR"}}` becomes a fenced code
 /// block: the lines of `stub(FILE)` from the first one that contains ANCHOR to the end of what

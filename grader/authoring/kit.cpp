@@ -2,6 +2,8 @@
 
 #include "authoring/derive.hpp"
 #include "authoring/expected_of.hpp"
+#include "authoring/handout.hpp"
+#include "authoring/quiz.hpp"
 #include "check/expected.hpp"
 #include "grading/toolchain.hpp"
 #include "report/write_file.hpp"
@@ -112,6 +114,26 @@ void writeKit(const KitOptions& options, const fs::path& kit, const grading::Pro
   for (const char* name : {"README.md", "README.ja.md"}) fs::copy_file(texts / name, kit / name);
   if (options.devcontainer) copyTree(texts / "devcontainer", kit / ".devcontainer");
   for (const HandedOut& handedOut : choose(options)) writeAssignment(handedOut, kit, progress);
+}
+
+bool writeQuizzes(const KitOptions& options, const fs::path& folder) {
+  bool any = false;
+  const gg::Language chosen = gg::language();
+  for (const Written& written : kWritten) {
+    gg::setLanguage(written.language);
+    for (const HandedOut& handedOut : choose(options))
+      for (const Part& part : handedOut.parts) {
+        const auto quiz = quizOf(kRoot / "solutions" / handedOut.assignment.id, part.id);
+        if (!quiz) continue;
+        any = true;
+        const fs::path page = part.id + written.ending;
+        const std::string name = page.stem().string(); // "mirror.ja"
+        report::writeFile(folder / page, quizPage(*quiz, part.title, true));
+        report::writeFile(folder / (name + ".gift.txt"), quizGift(*quiz, name));
+      }
+  }
+  gg::setLanguage(chosen);
+  return any;
 }
 
 std::string graded(const KitOptions& options) {

@@ -32,6 +32,11 @@ std::vector<HandedOut> choose(const KitOptions& options);
 void writeKit(const KitOptions& options, const std::filesystem::path& kit,
               const grading::Progress& progress);
 
+/// Writes the quizzes of a kit's parts to `folder`, which is there, for whoever teaches: in each
+/// language PART.md with answers and reasons, and PART.gift.txt for Moodle. Returns whether there
+/// are any.
+bool writeQuizzes(const KitOptions& options, const std::filesystem::path& folder);
+
 /// The one target that an autograder grades. Throws UsageError unless there is one.
 std::string graded(const KitOptions& options);
 /// Writes an autograder's files to `folder`, which is there.

@@ -33,12 +33,16 @@ std::string listOf(const std::vector<authoring::HandedOut>& all) {
 
 void release(const ReleaseOptions& options) {
   const fs::path out = outputFolder(options.out);
-  fs::path zip = out;
+  fs::path zip = out, quizzes = out;
   zip += ".zip";
+  quizzes += "-quiz";
   const std::vector<authoring::HandedOut> chosen = authoring::choose(options);
   if (options.gradescope) authoring::graded(options);
+  grading::requireReplaceable(quizzes);
   Progress progress("release");
-  grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
+  const fs::path parent = fs::absolute(out).lexically_normal().parent_path();
+  grading::TemporaryFolder work(parent), quizWork(parent);
+  const bool asks = !options.gradescope && authoring::writeQuizzes(options, quizWork.path());
   if (options.gradescope)
     authoring::writeAutograder(options, work.path());
   else
@@ -47,6 +51,7 @@ void release(const ReleaseOptions& options) {
   // An autograder's files lie at the top of its archive, a kit's in a folder.
   authoring::writeZip(work.path(), options.gradescope ? "" : out.filename().string(), zip);
   work.publish(out);
+  if (asks) quizWork.publish(quizzes);
   progress.clear();
   fmt::print("{}\n{} ({:.1f} MB)\n", out.string(), zip.string(), double(fs::file_size(zip)) / 1e6);
   if (options.gradescope)
@@ -55,6 +60,9 @@ void release(const ReleaseOptions& options) {
         authoring::graded(options));
   else
     fmt::print("{}", listOf(chosen));
+  if (asks)
+    fmt::print("{}\n  the quizzes with their answers, and as GIFT for Moodle: not for students\n",
+               quizzes.string());
 }
 
 } // namespace
@@ -63,7 +71,10 @@ void addRelease(CLI::App& app) {
   auto* command = app.add_subcommand(
       "release", "Makes what students receive: a kit without solutions that checks itself");
   auto options = std::make_shared<ReleaseOptions>();
-  command->add_option("--out", options->out, "The kit's folder; beside it the same as a .zip")
+  command
+      ->add_option("--out", options->out,
+                   "The kit's folder; beside it the same as a .zip, and in OUT-quiz "
+                   "the answers of the quizzes")
       ->required();
   command
       ->add_option("--parts", options->parts,

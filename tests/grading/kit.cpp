@@ -1,5 +1,7 @@
 #include "kit.hpp"
 
+#include "authoring/quiz.hpp"
+
 #include <gmock/gmock.h>
 
 namespace tool {
@@ -42,6 +44,36 @@ void expectEveryStepKnown(const ggrade::Part& part, const fs::path& expected) {
   }
 }
 
+/// No answer of a quiz is in the kit; beside it are all of them, in both languages.
+void expectQuizzes(const fs::path& kit, const Ended& released,
+                   const std::vector<ggrade::Assignment>& assignments) {
+  std::vector<std::string> wanted, reasons;
+  for (const ggrade::Assignment& assignment : assignments)
+    for (const ggrade::Part& part : assignment.parts) {
+      const fs::path source = kSource / "solutions" / assignment.id / (part.id + ".quiz.json");
+      for (const char* ending : {".md", ".gift.txt", ".ja.md", ".ja.gift.txt"})
+        wanted.push_back(part.id + ending);
+      for (const auto& question : ggrade::authoring::readQuiz(source).questions)
+        for (const auto& answer : question.answers) reasons.push_back(answer.reason);
+      EXPECT_TRUE(fs::exists(kit / "assignments" / assignment.id / (part.id + ".quiz.md")));
+    }
+  ASSERT_GE(reasons.size(), 6u * 3);
+  for (const auto& entry : fs::recursive_directory_iterator(kit)) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_FALSE(name.ends_with(".quiz.json") || name.ends_with(".gift.txt")) << entry.path();
+    if (!name.ends_with(".md")) continue;
+    const std::string text = read(entry.path());
+    for (const std::string& reason : reasons)
+      EXPECT_EQ(text.find(reason), text.npos) << entry.path() << ": " << reason;
+  }
+  const fs::path answers = kit.string() + "-quiz";
+  EXPECT_THAT(names(answers), testing::IsSupersetOf(wanted));
+  EXPECT_THAT(released.out, HasSubstr(answers.filename().string() + "\n"));
+  std::string all;
+  for (const std::string& name : wanted) all += read(answers / name);
+  for (const std::string& reason : reasons) EXPECT_THAT(all, HasSubstr(reason));
+}
+
 } // namespace
 
 void expectKit(const fs::path& kit, const Ended& released,
@@ -53,6 +85,7 @@ void expectKit(const fs::path& kit, const Ended& released,
   EXPECT_THAT(names(kit), Not(Contains("tests")));
   EXPECT_TRUE(fs::exists(kit.string() + ".zip"));
   EXPECT_THAT(released.out, HasSubstr(kit.filename().string() + ".zip"));
+  expectQuizzes(kit, released, assignments);
   for (const auto& any : ggrade::loadAssignments(kSource / "assignments"))
     for (const char* name : {"framework", "grader", "cmake"})
       expectNoSolutionIn(any, kit / name, true);

@@ -53,6 +53,9 @@ TEST(Release, TodosThatAreNotNamedComeFilledIn) {
               AllOf(HasSubstr("to do mirror.4, mirror.5"), HasSubstr("comes filled in")));
   EXPECT_THAT(names(kit / "assignments"), ElementsAre("CMakeLists.txt", "floor"));
   EXPECT_THAT(names(kit / "expected"), ElementsAre("mirror"));
+  EXPECT_THAT(names(folder.path() / "kit-quiz"),
+              testing::IsSupersetOf({"mirror.md", "mirror.ja.gift.txt"}));
+  EXPECT_FALSE(fs::exists(folder.path() / "kit-quiz/shadow.md"));
   const std::string program = read(kit / "assignments/floor/floor.cpp");
   EXPECT_THAT(program, HasSubstr("TODO(mirror.4)"));
   EXPECT_THAT(program, HasSubstr("DONE(mirror.2)"));
@@ -84,6 +87,7 @@ TEST(Release, AnAutogradersArchiveHasItsTwoScriptsOnTop) {
   }
   EXPECT_THAT(names(made / "ggrade/solutions"), ElementsAre("CMakeLists.txt", "floor"));
   EXPECT_TRUE(fs::exists(folder.path() / "autograder.zip"));
+  EXPECT_FALSE(fs::exists(folder.path() / "autograder-quiz"));
 }
 
 /// What run_autograder does with a tool that answers as it is told: leaves results where they are
