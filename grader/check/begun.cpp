@@ -71,8 +71,11 @@ private:
   /// A backslash at its end goes on in the next line, as the compiler reads it.
   std::size_t lineEnd() const {
     std::size_t end = at_;
-    do end = std::min(text_.size(), text_.find('\n', end + 1));
-    while (end < text_.size() && (text_[end - 1] == '\\' || text_.substr(end - 2, 2) == "\\\r"));
+    std::string_view before;
+    do {
+      end = std::min(text_.size(), text_.find('\n', end + 1));
+      before = text_.substr(0, end);
+    } while (end < text_.size() && (before.ends_with('\\') || before.ends_with("\\\r")));
     return end;
   }
 

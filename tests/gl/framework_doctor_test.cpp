@@ -152,14 +152,13 @@ TEST_P(Doctor, AFramebufferObjectIsLeftBound) {
     red.use();
     draw();
   });
-  EXPECT_EQ(
-      printed,
-      "frame doctor: framebuffer object 1 is still bound at the end of the frame; the window "
-      "needs glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last "
-      "(framework_doctor_test.cpp:" +
-          std::to_string(line) +
-          ")\nframe doctor: nothing is drawn to the window: all that this frame draws goes "
-          "to framebuffer objects\n");
+  EXPECT_EQ(printed,
+            "frame doctor: framebuffer object 1 is still bound at the end of the frame; the window "
+            "needs glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last "
+            "(framework_doctor_test.cpp:" +
+                std::to_string(line) +
+                ")\nframe doctor: nothing is drawn to the window: all that this frame draws goes "
+                "to framebuffer objects\n");
 }
 
 TEST_P(Doctor, AnIncompleteFramebuffer) {

@@ -141,7 +141,7 @@ TEST(CheckBegun, ShiftJis) {
 
 TEST(CheckBegun, BrokenTextEndsAnywhere) {
   for (const char* text : {"", "//", "/*", "/* TODO(a.1)", "\"", "'", "#", "#\\", "\\", "a\"b",
-                           "// TODO(a.1)\\", "\"\\", "// \\\r\n", "1'000'000", "/"})
+                           "// TODO(a.1)\\", "\"\\", "// \\\r\n", "1'000'000", "/", "#\nint a;"})
     for (const std::string& stub : {kStub, std::string(text)}) begunIn(stub, text);
 }
 
