@@ -9,9 +9,10 @@
 //   GGRADE_TEST_SECONDS  the longest that one case may take
 //
 // What a program notes are lines of fields between tabs: "cases" and how many it will run; "begun"
-// and a name; "passed", "failed" or "skipped", the name and the seconds. A case that began and did
-// not end has crashed, or took too long. "setting up" and "set up", with the seconds, are about
-// what a suite's cases share; "broken", with a suite's name, says that this failed.
+// and a name; "passed", "failed" or "skipped", the name, the seconds, and those of processors, its
+// children's among them. A case that began and did not end has crashed, or took too long. "setting
+// up" and "set up", with both kinds of seconds, are about what a suite's cases share; "broken",
+// with a suite's name, says that this failed.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -24,6 +25,7 @@
 #include <vector>
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 namespace {
@@ -68,6 +70,33 @@ std::string filterOf(const std::vector<std::string>& names) {
   return filter.empty() ? "-*" : filter;
 }
 
+/// Seconds of processors that this process and the children that it has waited for have used.
+double processorSeconds() {
+  double seconds = 0;
+  for (const int who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage used = {};
+    getrusage(who, &used);
+    for (const timeval& time : {used.ru_utime, used.ru_stime})
+      seconds += double(time.tv_sec) + double(time.tv_usec) / 1e6;
+  }
+  return seconds;
+}
+
+/// What has passed since something began.
+class Stopwatch {
+public:
+  /// The seconds, and those of processors, each after a tab.
+  std::string read() const {
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
+    return '\t' + std::to_string(taken.count()) + '\t' +
+           std::to_string(processorSeconds() - processors_);
+  }
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double processors_ = processorSeconds();
+};
+
 class Record : public testing::EmptyTestEventListener {
 public:
   /// Notes nothing without a folder.
@@ -91,19 +120,18 @@ public:
   void OnTestSuiteStart(const testing::TestSuite& suite) override {
     note(std::string("setting up\t") + suite.name());
     isSetUp_ = false;
-    start_ = std::chrono::steady_clock::now();
+    watch_ = Stopwatch();
   }
   void OnTestStart(const testing::TestInfo& test) override {
-    if (!std::exchange(isSetUp_, true)) {
-      const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
-      note(std::string("set up\t") + test.test_suite_name() + '\t' + std::to_string(taken.count()));
-    }
+    if (!std::exchange(isSetUp_, true))
+      note(std::string("set up\t") + test.test_suite_name() + watch_.read());
     note("begun\t" + nameOf(test));
+    watch_ = Stopwatch();
   }
   void OnTestEnd(const testing::TestInfo& test) override {
     const testing::TestResult& result = *test.result();
     const char* const how = result.Failed() ? "failed" : result.Skipped() ? "skipped" : "passed";
-    note(how + ('\t' + nameOf(test)) + '\t' + std::to_string(result.elapsed_time() / 1000.0));
+    note(how + ('\t' + nameOf(test)) + watch_.read());
   }
   void OnTestSuiteEnd(const testing::TestSuite& suite) override {
     if (suite.ad_hoc_test_result().Failed()) note(std::string("broken\t") + suite.name());
@@ -112,7 +140,7 @@ public:
 private:
   int file_ = -1;
   bool isSetUp_ = false;
-  std::chrono::steady_clock::time_point start_;
+  Stopwatch watch_;
 };
 
 /// SIGALRM ends the process where a case takes too long.
