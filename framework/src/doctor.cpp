@@ -12,6 +12,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "print_once.hpp"
@@ -42,6 +43,18 @@ struct Target {
   glm::ivec2 size{0}; // pixels; 0: unknown
 };
 
+// What is known of a program since it drew first.
+struct DrawingProgram {
+  std::optional<bool> writesClipDistance;
+  ActiveUniforms uniforms;
+};
+
+// A feedback loop, and what to say of it.
+struct Loop {
+  GLuint framebuffer;
+  std::string text;
+};
+
 struct Watch {
   bool on = false;
   bool fromStart = false;                         // from when the window was made
@@ -49,10 +62,13 @@ struct Watch {
   std::map<GLuint, Target> targets;               // by framebuffer; 0: the window
   std::vector<GLuint> written;                    // framebuffer objects: drawn into or cleared
   TextureTargets textures;
-  std::map<GLuint, std::string> boundAt;          // a framebuffer, last
-  std::map<std::string, std::string> calledAt;    // a function, last
-  std::map<GLuint, std::optional<bool>> programs; // looked at: is gl_ClipDistance written?
-  bool clippingIsWrong = false;
+  std::map<GLuint, std::string> boundAt;       // a framebuffer, last
+  std::map<std::string, std::string> calledAt; // a function, last
+  std::map<GLuint, DrawingProgram> programs;
+  std::set<GLuint> setSinceUse;             // programs: uniforms since glUseProgram or a draw
+  std::map<GLuint, std::string> neverInUse; // programs, and what to say if they draw nothing
+  std::map<std::pair<GLuint, std::string>, Loop> loops; // by program and sampler: the first
+  bool clippingIsWrong = false, matrixIsWrong = false, programIsMissing = false;
   std::set<std::string> perhaps; // worth saying if nothing is to be seen
   bool foundSomething = false;
 };
@@ -119,9 +135,9 @@ void checkClipping(std::optional<bool> isWritten) {
       lastPlace());
 }
 
-void checkUniforms(GLuint program) {
+void checkUniforms(GLuint program, const ActiveUniforms& uniforms) {
   std::vector<std::string> never;
-  for (const auto& [name, location] : zeroUniforms(program))
+  for (const auto& [name, location] : zeroUniforms(program, uniforms))
     if (!watch.uniformsSet.contains({program, location})) never.push_back(name);
   if (never.size() == 1)
     find(say("uniform {0} of {1} is 0, as it was never set: set(\"{0}\", ...)", never.front(),
@@ -131,6 +147,57 @@ void checkUniforms(GLuint program) {
     find(say("the uniforms {} of {} are 0, as they were never set: set(...), and of this program",
              fmt::format("{}", fmt::join(never, ", ")), labelOf(program)) +
          lastPlace());
+}
+
+void checkFeedback(GLuint program, const ActiveUniforms& uniforms) {
+  const auto loop = feedbackLoop(program, uniforms);
+  if (!loop) return;
+  const GLuint framebuffer = boundForDrawing();
+  watch.loops.try_emplace(
+      {program, loop->sampler},
+      Loop{framebuffer,
+           say("sampler {} of {} reads the texture that is being drawn into ({} of {}), a feedback "
+               "loop, whose result is undefined: bind another texture to unit {} or another "
+               "framebuffer before drawing; to read another mipmap level of it, set "
+               "GL_TEXTURE_BASE_LEVEL and GL_TEXTURE_MAX_LEVEL",
+               loop->sampler, labelOf(program), loop->attachment, nameOf(framebuffer), loop->unit) +
+               lastPlace()});
+}
+
+void checkMatrices(GLuint program, const ActiveUniforms& uniforms) {
+  if (watch.matrixIsWrong) return;
+  const std::vector<std::string> names = nonFiniteMatrices(program, uniforms);
+  if (names.empty()) return;
+  watch.matrixIsWrong = true; // one camera makes many programs' matrices
+  find(say("a matrix of {} holds NaN or infinity ({}), so what is drawn with it gets lost: look "
+           "for a division by zero, as by near == far or a field of view of 0 in a projection, by "
+           "normalize() of a zero vector (in lookAt(), too: a target at the eye, an up along the "
+           "view), or by inverse() of a singular matrix such as a scale of 0",
+           labelOf(program), fmt::format("{}", fmt::join(names, ", "))) +
+       lastPlace());
+}
+
+// Where use() is missing, the uniforms of one program are set, and the program before it draws on.
+// A right program may set some that don't draw: of a pass that isn't written yet, or has nothing to
+// draw in this frame. So only such a program counts that draws nothing up to the frame's end, and
+// that is the only one whose uniforms are set between the last draw or glUseProgram and a draw with
+// another program, which drew before.
+void checkUse(GLuint program, bool isNew) {
+  const std::set<GLuint> set = std::exchange(watch.setSinceUse, {});
+  if (isNew || set.size() != 1 || set.contains(program)) return;
+  const GLuint other = *set.begin();
+  watch.neverInUse.try_emplace(
+      other, say("{0} draws nothing in this frame: its uniforms are set, but what is drawn next is "
+                 "drawn with {1}, which is still in use. set() doesn't change that: call use() of "
+                 "{0} (or glUseProgram) before drawing",
+                 labelOf(other), labelOf(program)) +
+                 lastPlace());
+}
+
+// At the end of the frame or, before it, of the program.
+void sayIfNeverInUse(GLuint program) {
+  const auto found = watch.neverInUse.find(program);
+  if (found != watch.neverInUse.end() && !watch.programs.contains(program)) find(found->second);
 }
 
 void onDraw() {
@@ -163,15 +230,39 @@ void onDraw() {
            lastPlace());
   }
   const auto program = static_cast<GLuint>(ask(GL_CURRENT_PROGRAM));
+  if (program == 0) {
+    if (!watch.programIsMissing && ask(GL_PROGRAM_PIPELINE_BINDING) == 0)
+      find(say("something is drawn while no program is in use, which draws nothing: call use() "
+               "(or glUseProgram) before it") +
+           lastPlace());
+    watch.programIsMissing = true;
+    return;
+  }
   const auto [known, isNew] = watch.programs.try_emplace(program);
-  if (isNew) known->second = writesClipDistance(program);
-  checkClipping(known->second);
+  DrawingProgram& drawing = known->second;
+  if (isNew) drawing = {writesClipDistance(program), activeUniforms(program)};
+  checkClipping(drawing.writesClipDistance);
+  checkFeedback(program, drawing.uniforms);
+  checkMatrices(program, drawing.uniforms);
+  checkUse(program, isNew);
   if (isNew) {
-    const SamplerFaults faults = samplerFaults();
+    const SamplerFaults faults = samplerFaults(program, drawing.uniforms);
     for (const std::string& fault : faults.certain) find(fault + lastPlace());
     for (const std::string& fault : faults.perhaps) watch.perhaps.insert(fault + lastPlace());
-    if (watch.fromStart) checkUniforms(program);
+    if (watch.fromStart) checkUniforms(program, drawing.uniforms);
   }
+}
+
+void onUniform(GLuint program, GLint location) {
+  watch.uniformsSet.insert({program, location});
+  if (program != 0) watch.setSinceUse.insert(program);
+}
+
+// A program that is deleted or linked anew; its name may come back as another one's.
+void forget(GLuint program) {
+  watch.programs.erase(program);
+  watch.setSinceUse.erase(program);
+  watch.neverInUse.erase(program);
 }
 
 bool draws(std::string_view function) {
@@ -211,10 +302,18 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
     va_arg(arguments, GLenum);
     watch.boundAt[va_arg(arguments, GLuint)] = lastPlace();
   } else if (function.starts_with("glUniform") && function != "glUniformBlockBinding") {
-    watch.uniformsSet.insert({GLuint(ask(GL_CURRENT_PROGRAM)), va_arg(arguments, GLint)});
+    onUniform(GLuint(ask(GL_CURRENT_PROGRAM)), va_arg(arguments, GLint));
   } else if (function.starts_with("glProgramUniform")) {
     const GLuint program = va_arg(arguments, GLuint);
-    watch.uniformsSet.insert({program, va_arg(arguments, GLint)});
+    onUniform(program, va_arg(arguments, GLint));
+  } else if (function == "glUseProgram") {
+    watch.setSinceUse.clear();
+  } else if (function == "glDeleteProgram") {
+    const GLuint program = va_arg(arguments, GLuint);
+    sayIfNeverInUse(program);
+    forget(program);
+  } else if (function == "glLinkProgram") {
+    forget(va_arg(arguments, GLuint));
   } else if (function == "glCullFace") {
     watch.calledAt[name] = lastPlace();
   }
@@ -245,10 +344,18 @@ void checkViewports(const glm::ivec2& window) {
   }
 }
 
+// Textures are still there in the next one.
+void forgetFrame() {
+  TextureTargets textures = std::move(watch.textures);
+  watch = {};
+  watch.textures = std::move(textures);
+}
+
 } // namespace
 
 void watchFrame(bool fromStart) {
   if (!isOn()) return gladUninstallGLDebug();
+  if (fromStart) forgetFrame(); // of a window that showed none
   watch.on = true;
   watch.fromStart = fromStart;
   gladSetGLPreCallback(before);
@@ -259,11 +366,15 @@ void watchFrame(bool fromStart) {
 std::vector<GLuint> frameEnds(const glm::ivec2& window) {
   if (!watch.on) return {};
   gladUninstallGLDebug();
-  if (const GLuint bound = boundForDrawing(); bound != 0)
+  const GLuint bound = boundForDrawing();
+  if (bound != 0)
     find(say("framebuffer object {} is still bound at the end of the frame; the window needs "
              "glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last{}",
              bound, watch.boundAt[bound]));
+  for (const auto& [reader, loop] : watch.loops)
+    if (loop.framebuffer != bound) find(loop.text); // else it comes of that
   checkViewports(window);
+  for (const auto& [program, text] : watch.neverInUse) sayIfNeverInUse(program);
   if (glad_glIsEnabled(GL_CULL_FACE) == GL_TRUE && ask(GL_CULL_FACE_MODE) != GL_BACK)
     find(say("culling is left at {}: what faces the eye is not drawn from here on. "
              "glCullFace(GL_BACK)",
@@ -285,9 +396,7 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
     for (const std::string& text : watch.perhaps) tell(say("perhaps: {}", text));
   }
   std::vector<GLuint> written = std::move(watch.written);
-  TextureTargets textures = std::move(watch.textures);
-  watch = {};
-  watch.textures = std::move(textures);
+  forgetFrame();
   return written;
 }
 

@@ -1,6 +1,8 @@
 #include "doctor_state.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <string_view>
 
 #include "words/words.hpp"
@@ -132,17 +134,26 @@ GLint askTexture(GLenum name) {
   return value;
 }
 
+struct Filters {
+  GLint minification, magnification;
+};
+
+// By which the active unit's 2D texture is read.
+Filters filters() {
+  Filters found{askTexture(GL_TEXTURE_MIN_FILTER), askTexture(GL_TEXTURE_MAG_FILTER)};
+  if (const GLint sampler = ask(GL_SAMPLER_BINDING); sampler != 0) {
+    glad_glGetSamplerParameteriv(GLuint(sampler), GL_TEXTURE_MIN_FILTER, &found.minification);
+    glad_glGetSamplerParameteriv(GLuint(sampler), GL_TEXTURE_MAG_FILTER, &found.magnification);
+  }
+  return found;
+}
+
 // Why the 2D texture of the active unit reads as black; empty if it doesn't.
 std::string textureFault(GLenum samplerType) {
   const auto texture = static_cast<GLuint>(ask(GL_TEXTURE_BINDING_2D));
   const GLint base = askTexture(GL_TEXTURE_BASE_LEVEL);
   const glm::ivec2 size = textureSize(texture, base);
-  GLint minFilter = askTexture(GL_TEXTURE_MIN_FILTER);
-  GLint magFilter = askTexture(GL_TEXTURE_MAG_FILTER);
-  if (const GLint sampler = ask(GL_SAMPLER_BINDING); sampler != 0) {
-    glad_glGetSamplerParameteriv(GLuint(sampler), GL_TEXTURE_MIN_FILTER, &minFilter);
-    glad_glGetSamplerParameteriv(GLuint(sampler), GL_TEXTURE_MAG_FILTER, &magFilter);
-  }
+  const auto [minFilter, magFilter] = filters();
   if (wantsMipmaps(minFilter) && std::max(size.x, size.y) > 1 &&
       askTexture(GL_TEXTURE_MAX_LEVEL) > base && textureSize(texture, base + 1).x == 0)
     return say("is incomplete: its filter wants mipmaps, and it has none. Set "
@@ -158,38 +169,108 @@ std::string textureFault(GLenum samplerType) {
 
 } // namespace
 
-SamplerFaults samplerFaults() {
-  SamplerFaults faults;
-  const auto program = static_cast<GLuint>(ask(GL_CURRENT_PROGRAM));
-  if (program == 0) return faults;
-  const GLint unitBefore = ask(GL_ACTIVE_TEXTURE);
+ActiveUniforms activeUniforms(GLuint program) {
+  ActiveUniforms uniforms;
   GLint count = 0;
-  glad_glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
+  if (program != 0) glad_glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
   for (GLint i = 0; i < count; ++i) {
     char name[256];
-    GLint size = 0, unit = 0;
+    GLint size = 0;
     GLenum type = 0;
     glad_glGetActiveUniform(program, GLuint(i), sizeof(name), nullptr, &size, &type, name);
-    if (!isSampler2D(type)) continue;
-    glad_glGetUniformiv(program, glad_glGetUniformLocation(program, name), &unit);
+    uniforms.push_back({name, type, glad_glGetUniformLocation(program, name)});
+  }
+  return uniforms;
+}
+
+namespace {
+
+// Calls look(uniform, unit) for each 2D sampler, while the texture unit that it reads is active.
+template <class Look>
+void eachSampler2D(GLuint program, const ActiveUniforms& uniforms, Look look) {
+  const GLint unitBefore = ask(GL_ACTIVE_TEXTURE);
+  for (const ActiveUniform& uniform : uniforms) {
+    if (!isSampler2D(uniform.type)) continue;
+    GLint unit = 0;
+    glad_glGetUniformiv(program, uniform.location, &unit);
     glad_glActiveTexture(GL_TEXTURE0 + GLenum(unit));
+    look(uniform, unit);
+  }
+  glad_glActiveTexture(GLenum(unitBefore));
+}
+
+} // namespace
+
+SamplerFaults samplerFaults(GLuint program, const ActiveUniforms& uniforms) {
+  SamplerFaults faults;
+  eachSampler2D(program, uniforms, [&](const ActiveUniform& sampler, GLint unit) {
     const auto texture = static_cast<GLuint>(ask(GL_TEXTURE_BINDING_2D));
     if (texture == 0) {
       faults.perhaps.push_back(
-          say("sampler {} reads texture unit {}, where no texture is bound: it reads black", name,
-              unit));
+          say("sampler {} reads texture unit {}, where no texture is bound: it reads black",
+              sampler.name, unit));
     } else if (textureSize(texture, askTexture(GL_TEXTURE_BASE_LEVEL)).x == 0) {
       faults.perhaps.push_back(say("sampler {} reads texture unit {}, where the texture has no "
                                    "storage (glTexImage2D): it reads black",
-                                   name, unit));
-    } else if (const std::string fault = textureFault(type); !fault.empty()) {
+                                   sampler.name, unit));
+    } else if (const std::string fault = textureFault(sampler.type); !fault.empty()) {
       faults.certain.push_back(
-          say("sampler {} reads texture unit {}, where the texture reads as black: it {}", name,
-              unit, fault));
+          say("sampler {} reads texture unit {}, where the texture reads as black: it {}",
+              sampler.name, unit, fault));
     }
-  }
-  glad_glActiveTexture(GLenum(unitBefore));
+  });
   return faults;
+}
+
+namespace {
+
+struct WrittenTexture {
+  GLuint texture;
+  GLint level;
+  std::string attachment;
+};
+
+// The textures that a draw call would write now.
+std::vector<WrittenTexture> writtenTextures() {
+  std::vector<WrittenTexture> all;
+  if (ask(GL_DRAW_FRAMEBUFFER_BINDING) == 0) return all;
+  const auto add = [&](GLenum attachment, const std::string& name) {
+    if (askAttachment(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_TEXTURE) return;
+    all.push_back({GLuint(askAttachment(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME)),
+                   askAttachment(attachment, GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL), name});
+  };
+  for (GLint i = 0; i < ask(GL_MAX_DRAW_BUFFERS); ++i) {
+    const GLint buffer = ask(GL_DRAW_BUFFER0 + GLenum(i));
+    GLboolean mask[4] = {};
+    glad_glGetBooleani_v(GL_COLOR_WRITEMASK, GLuint(i), mask);
+    if (buffer != GL_NONE && std::ranges::find(mask, GL_TRUE) != std::end(mask))
+      add(GLenum(buffer), fmt::format("GL_COLOR_ATTACHMENT{}", buffer - GL_COLOR_ATTACHMENT0));
+  }
+  if (glad_glIsEnabled(GL_DEPTH_TEST) == GL_TRUE && ask(GL_DEPTH_WRITEMASK) == GL_TRUE)
+    add(GL_DEPTH_ATTACHMENT, "GL_DEPTH_ATTACHMENT");
+  return all;
+}
+
+// May a sampler read this level of the active unit's 2D texture?
+bool readsLevel(GLint level) {
+  const GLint base = askTexture(GL_TEXTURE_BASE_LEVEL);
+  return level == base || (wantsMipmaps(filters().minification) && level > base &&
+                           level <= askTexture(GL_TEXTURE_MAX_LEVEL));
+}
+
+} // namespace
+
+std::optional<FeedbackLoop> feedbackLoop(GLuint program, const ActiveUniforms& uniforms) {
+  const std::vector<WrittenTexture> written = writtenTextures();
+  std::optional<FeedbackLoop> loop;
+  if (written.empty()) return loop;
+  eachSampler2D(program, uniforms, [&](const ActiveUniform& sampler, GLint unit) {
+    const auto texture = static_cast<GLuint>(ask(GL_TEXTURE_BINDING_2D));
+    for (const WrittenTexture& target : written)
+      if (!loop && target.texture == texture && readsLevel(target.level))
+        loop = {sampler.name, unit, target.attachment};
+  });
+  return loop;
 }
 
 namespace {
@@ -231,25 +312,41 @@ std::optional<bool> writesClipDistance(GLuint program) {
   return false;
 }
 
-std::map<std::string, GLint> zeroUniforms(GLuint program) {
+namespace {
+
+bool isSquareMatrix(GLenum type) {
+  return type >= GL_FLOAT_MAT2 && type <= GL_FLOAT_MAT4;
+}
+
+// A float, a vector or a square matrix; what it doesn't have is 0.
+std::array<GLfloat, 16> valueOf(GLuint program, const ActiveUniform& uniform) {
+  std::array<GLfloat, 16> values{};
+  glad_glGetUniformfv(program, uniform.location, values.data());
+  return values;
+}
+
+} // namespace
+
+std::map<std::string, GLint> zeroUniforms(GLuint program, const ActiveUniforms& uniforms) {
   std::map<std::string, GLint> zero;
-  GLint count = 0;
-  if (program != 0) glad_glGetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
-  for (GLint i = 0; i < count; ++i) {
-    char name[256];
-    GLint size = 0;
-    GLenum type = 0;
-    glad_glGetActiveUniform(program, GLuint(i), sizeof(name), nullptr, &size, &type, name);
+  for (const ActiveUniform& uniform : uniforms) {
+    const GLenum type = uniform.type;
     const bool isFloat = type == GL_FLOAT || (type >= GL_FLOAT_VEC2 && type <= GL_FLOAT_VEC4) ||
-                         (type >= GL_FLOAT_MAT2 && type <= GL_FLOAT_MAT4);
-    const GLint location = glad_glGetUniformLocation(program, name);
-    if (!isFloat || location < 0) continue; // of a block, or a switch that may be off
-    GLfloat values[16] = {};
-    glad_glGetUniformfv(program, location, values);
-    if (std::all_of(std::begin(values), std::end(values), [](float v) { return v == 0; }))
-      zero.emplace(name, location);
+                         isSquareMatrix(type);
+    if (!isFloat || uniform.location < 0) continue; // of a block, or a switch that may be off
+    if (std::ranges::all_of(valueOf(program, uniform), [](float v) { return v == 0; }))
+      zero.emplace(uniform.name, uniform.location);
   }
   return zero;
+}
+
+std::vector<std::string> nonFiniteMatrices(GLuint program, const ActiveUniforms& uniforms) {
+  std::vector<std::string> names;
+  for (const ActiveUniform& uniform : uniforms)
+    if (isSquareMatrix(uniform.type) && uniform.location >= 0 &&
+        !std::ranges::all_of(valueOf(program, uniform), [](float v) { return std::isfinite(v); }))
+      names.push_back(uniform.name);
+  return names;
 }
 
 Image windowPicture(const glm::ivec2& window) {

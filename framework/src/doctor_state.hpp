@@ -40,16 +40,41 @@ bool lacksColor();
 /// shaders; nothing where they aren't attached any more.
 std::optional<bool> writesClipDistance(GLuint program);
 
-/// What is wrong with the textures that the current program's samplers read, a sentence each.
+/// A uniform of a linked program; of an array, its first element.
+struct ActiveUniform {
+  std::string name;
+  GLenum type;
+  GLint location; ///< -1: of a uniform block
+};
+using ActiveUniforms = std::vector<ActiveUniform>;
+ActiveUniforms activeUniforms(GLuint program);
+
+/// What is wrong with the textures that a program's samplers read, a sentence each.
 struct SamplerFaults {
   std::vector<std::string> certain; ///< incomplete textures
   std::vector<std::string>
       perhaps; ///< none, or one without storage: the shader need not ask for it
 };
-SamplerFaults samplerFaults();
+SamplerFaults samplerFaults(GLuint program, const ActiveUniforms& uniforms);
+
+/// A sampler that may read what is drawn into at the same time.
+struct FeedbackLoop {
+  std::string sampler;
+  GLint unit;
+  std::string attachment; ///< "GL_COLOR_ATTACHMENT0"
+};
+
+/// The first feedback loop of a draw call with this program as the state is now, if the sampler is
+/// ever read ("even if the instructions might only be executed conditionally", OpenGL 4.1, 4.4.3).
+/// Of 2D textures only. An attachment that isn't written (draw buffers, masks, no depth test) makes
+/// none, as in later versions of OpenGL.
+std::optional<FeedbackLoop> feedbackLoop(GLuint program, const ActiveUniforms& uniforms);
 
 /// The float, vector and matrix uniforms of a program that are all 0, with their locations.
-std::map<std::string, GLint> zeroUniforms(GLuint program);
+std::map<std::string, GLint> zeroUniforms(GLuint program, const ActiveUniforms& uniforms);
+
+/// The names of the square matrices that hold NaN or infinity.
+std::vector<std::string> nonFiniteMatrices(GLuint program, const ActiveUniforms& uniforms);
 
 /// The window's back buffer. Empty if a buffer object is bound that would take it instead.
 Image windowPicture(const glm::ivec2& window);

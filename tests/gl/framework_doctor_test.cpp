@@ -16,6 +16,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 using testing::ResultOf;
 using testing::internal::CaptureStderr;
 using testing::internal::GetCapturedStderr;
@@ -423,6 +424,308 @@ TEST_P(Doctor, ASamplerWithoutATexture) {
                       "was drawn there"),
             HasSubstr("frame doctor: perhaps: sampler uTex reads texture unit 3, where no "
                       "texture is bound: it reads black")));
+}
+
+/// What is said when `copy` draws into a texture of two levels that its sampler uTex may read.
+///   prepare: what is done between binding all that and drawing
+class DoctorOfFeedback : public Doctor {
+protected:
+  template <class Prepare> std::string feedback(Prepare prepare, int level = 0) {
+    return frame([&](gg::Window& window) {
+      const gg::Program copy = triangle("texture(uTex, vec2(0)) + uShift",
+                                        "uniform sampler2D uTex; uniform vec4 uShift;");
+      const gg::Framebuffer framebuffer;
+      const gg::Texture texture, other;
+      for (const GLuint one : {GLuint(other), GLuint(texture)}) {
+        glBindTexture(GL_TEXTURE_2D, one);
+        for (int i = 0; i < 2; ++i)
+          glTexImage2D(GL_TEXTURE_2D, i, GL_RGBA8, kSide >> i, kSide >> i, 0, GL_RGBA, GL_FLOAT,
+                       nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1);
+      }
+      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+      glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, level);
+      glViewport(0, 0, kSide >> level, kSide >> level);
+      glClear(GL_COLOR_BUFFER_BIT);
+      copy.use();
+      copy.set("uTex", 0);
+      copy.set("uShift", glm::vec4(1));
+      prepare(copy, other);
+      for (int i = 0; i < 2; ++i) draw();
+      glBindFramebuffer(GL_FRAMEBUFFER, 0);
+      glBindTexture(GL_TEXTURE_2D, texture); // into the window it may be read
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, 0);
+      glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+      glViewport(0, 0, window.width(), window.height());
+      clear();
+      draw();
+    });
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Framework, DoctorOfFeedback, testing::Values("0"));
+
+TEST_P(DoctorOfFeedback, ATextureIsReadAndDrawnInto) {
+  EXPECT_THAT(feedback([](const gg::Program&, GLuint) {}),
+              AllOf(HasSubstr("frame doctor: sampler uTex of test.vert + test.frag reads the "
+                              "texture that is being drawn into (GL_COLOR_ATTACHMENT0 of "
+                              "framebuffer object 301), a feedback loop, whose result is "
+                              "undefined: bind another texture to unit 0 or another framebuffer "
+                              "before drawing; "),
+                    ResultOf(lines, 1)));
+}
+
+/// As down a pyramid that reads the level it writes.
+TEST_P(DoctorOfFeedback, ASamplerIsNamedOnce) {
+  EXPECT_THAT(feedback([](const gg::Program&, GLuint) {
+                draw();
+                const gg::Framebuffer another;
+                GLint texture = 0;
+                glGetIntegerv(GL_TEXTURE_BINDING_2D, &texture);
+                glBindFramebuffer(GL_FRAMEBUFFER, another);
+                glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                                       GLuint(texture), 0);
+                draw();
+              }),
+              AllOf(HasSubstr("a feedback loop"), ResultOf(lines, 1)));
+}
+
+/// Where the window isn't bound again, what was drawn is read on its framebuffer object.
+TEST_P(DoctorOfFeedback, IsNotToldWhereItComesOfAFramebufferLeftBound) {
+  EXPECT_THAT(
+      frame([&](gg::Window&) {
+        const gg::Program copy = triangle("texture(uTex, vec2(0))", "uniform sampler2D uTex;");
+        GLuint color = 0, framebuffer = 0; // alive when the frame ends
+        glGenTextures(1, &color);
+        glBindTexture(GL_TEXTURE_2D, color);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kSide, kSide, 0, GL_RGBA, GL_FLOAT, nullptr);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+        glGenFramebuffers(1, &framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color, 0);
+        clear();
+        copy.use();
+        draw();
+      }),
+      AllOf(HasSubstr("is still bound at the end of the frame"),
+            Not(HasSubstr("a feedback loop"))));
+}
+
+TEST_P(DoctorOfFeedback, AnotherTextureMayBeRead) {
+  EXPECT_EQ(feedback([](const gg::Program&, GLuint other) { glBindTexture(GL_TEXTURE_2D, other); }),
+            "");
+  EXPECT_EQ(feedback([](const gg::Program& copy, GLuint other) {
+              copy.set("uTex", 1); // the texture stays bound to a unit that nobody reads
+              glActiveTexture(GL_TEXTURE1);
+              glBindTexture(GL_TEXTURE_2D, other);
+            }),
+            "");
+}
+
+/// By the sampler's filter: mipmaps are read from the base level to the last.
+TEST_P(DoctorOfFeedback, AnotherLevelMayBeRead) {
+  const auto filter = [](GLint filter, GLint base, GLint last) {
+    return [=](const gg::Program&, GLuint) {
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_BASE_LEVEL, base);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, last);
+    };
+  };
+  const auto isTold = HasSubstr("a feedback loop");
+  EXPECT_EQ(feedback(filter(GL_LINEAR_MIPMAP_LINEAR, 1, 1), 0), "");
+  EXPECT_EQ(feedback(filter(GL_LINEAR_MIPMAP_LINEAR, 0, 0), 1), "");
+  EXPECT_EQ(feedback(filter(GL_LINEAR, 0, 1), 1), "");
+  EXPECT_THAT(feedback(filter(GL_LINEAR_MIPMAP_LINEAR, 0, 1), 1), isTold);
+  EXPECT_THAT(feedback(filter(GL_LINEAR, 1, 1), 1), isTold);
+}
+
+TEST_P(DoctorOfFeedback, WhatIsNotWrittenMayBeRead) {
+  EXPECT_EQ(feedback([](const gg::Program&, GLuint) { glDrawBuffer(GL_NONE); }), "");
+  EXPECT_EQ(feedback([](const gg::Program&, GLuint) {
+              glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+            }),
+            "");
+}
+
+TEST_P(Doctor, ADepthTextureIsReadAndDrawnInto) {
+  const auto reading = [&](bool isTested, GLboolean isWritten) {
+    return frame([&](gg::Window&) {
+      const gg::Program copy =
+          triangle("texture(uDepth, vec2(0)) + 1", "uniform sampler2D uDepth;");
+      const gg::Framebuffer framebuffer;
+      const gg::Texture depth;
+      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+      glBindTexture(GL_TEXTURE_2D, depth);
+      glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, kSide, kSide, 0, GL_DEPTH_COMPONENT,
+                   GL_FLOAT, nullptr);
+      glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+      glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth, 0);
+      glDrawBuffer(GL_NONE);
+      glClear(GL_DEPTH_BUFFER_BIT);
+      if (isTested) glEnable(GL_DEPTH_TEST);
+      glDepthMask(isWritten);
+      copy.use();
+      copy.set("uDepth", 0);
+      draw();
+      glDepthMask(GL_TRUE);
+      glBindFramebuffer(GL_FRAMEBUFFER, 0);
+      clear();
+      draw();
+    });
+  };
+  EXPECT_THAT(reading(true, GL_TRUE),
+              AllOf(HasSubstr("frame doctor: sampler uDepth of test.vert + test.frag reads the "
+                              "texture that is being drawn into (GL_DEPTH_ATTACHMENT of "
+                              "framebuffer object 301), a feedback loop"),
+                    ResultOf(lines, 1)));
+  EXPECT_EQ(reading(true, GL_FALSE), "");
+  EXPECT_EQ(reading(false, GL_TRUE), "") << "without the test no depth is written";
+}
+
+TEST_P(Doctor, AMatrixIsNotFinite) {
+  const auto drawnWith = [&](const glm::mat4& matrix) {
+    return frame([&](gg::Window&) {
+      const gg::Program program = triangle("uView * vec4(1) + (uModel * vec4(uNormal[0], 1))",
+                                           "uniform mat4 uView, uModel; uniform mat3 uNormal;");
+      clear();
+      program.use();
+      program.set("uView", glm::mat4(1));
+      program.set("uModel", matrix);
+      program.set("uNormal", glm::mat3(matrix));
+      for (int i = 0; i < 2; ++i) draw();
+    });
+  };
+  const auto isTold =
+      AllOf(HasSubstr("frame doctor: a matrix of test.vert + test.frag holds NaN or infinity "
+                      "(uModel, uNormal), so what is drawn with it gets lost: look for a division "
+                      "by zero, "),
+            ResultOf(lines, 1));
+  EXPECT_THAT(drawnWith(glm::inverse(glm::scale(glm::mat4(1), glm::vec3(1, 1, 0)))), isTold);
+  EXPECT_THAT(drawnWith(glm::lookAt(glm::vec3(1), glm::vec3(1), glm::vec3(0, 1, 0))), isTold);
+  EXPECT_THAT(drawnWith(glm::lookAt(glm::vec3(0, 2, 0), glm::vec3(0), glm::vec3(0, 1, 0))), isTold);
+  EXPECT_THAT(drawnWith(glm::perspective(0.0f, 1.0f, 1.0f, 2.0f)), isTold);
+  EXPECT_THAT(drawnWith(glm::perspective(1.0f, 1.0f, 1.0f, 1.0f)), HasSubstr("NaN or infinity"));
+  EXPECT_EQ(drawnWith(glm::infinitePerspective(1.0f, 1.0f, 1.0f)), "");
+  EXPECT_EQ(drawnWith(glm::mat4(3e38f)), "") << "large, but finite";
+}
+
+/// As with the name of a deleted program, which some drivers give to the next one.
+TEST_P(Doctor, AProgramLinkedAnewHasOtherUniforms) {
+  EXPECT_EQ(frame([&](gg::Window&) {
+              const gg::Program scaled = triangle("uScale * vec4(1)", "uniform mat4 uScale;");
+              const gg::Program red = triangle();
+              clear();
+              scaled.set("uScale", glm::mat4(1));
+              scaled.use();
+              draw();
+              GLuint before[2], after[2];
+              glGetAttachedShaders(scaled, 2, nullptr, before);
+              glGetAttachedShaders(red, 2, nullptr, after);
+              for (int i = 0; i < 2; ++i) {
+                glDetachShader(scaled, before[i]);
+                glAttachShader(scaled, after[i]);
+              }
+              glLinkProgram(scaled);
+              draw();
+            }),
+            "");
+}
+
+TEST_P(Doctor, AWindowThatShowedNoFrameIsForgotten) {
+  {
+    const gg::Window window("before", {kSide, kSide});
+    const gg::VertexArray corners;
+    glBindVertexArray(corners);
+    const gg::Program scaled = triangle("uScale * vec4(1)", "uniform mat4 uScale;");
+    scaled.set("uScale", glm::mat4(1));
+    scaled.use();
+    draw();
+  }
+  EXPECT_EQ(frame([&](gg::Window&) {
+              const gg::Program red = triangle();
+              clear();
+              red.use();
+              draw();
+            }),
+            "");
+}
+
+TEST_P(Doctor, NoProgramIsInUse) {
+  EXPECT_THAT(
+      frame([&](gg::Window&) {
+        const gg::Program tile = triangle("uColor", "uniform vec4 uColor;");
+        clear();
+        tile.set("uColor", glm::vec4(1));
+        draw();
+      }),
+      HasSubstr("frame doctor: something is drawn while no program is in use, which draws nothing: "
+                "call use() (or glUseProgram) before it (framework_doctor_test.cpp:"));
+}
+
+/// Two programs of a frame: `object` draws first, and `draw` does the rest.
+class DoctorOfUse : public Doctor {
+protected:
+  template <class Draw> std::string afterObject(Draw rest) {
+    return frame([&](gg::Window&) {
+      folder.write("object.frag", "#version 410 core\nuniform vec4 uColor;\n"
+                                  "layout(location = 0) out vec4 oColor;\n"
+                                  "void main() { oColor = uColor; }\n");
+      const gg::Program tile = triangle("uColor", "uniform vec4 uColor;");
+      const gg::Program object({"test.vert", "object.frag"}, folder.path().string());
+      clear();
+      object.use();
+      object.set("uColor", glm::vec4(1));
+      draw();
+      rest(object, tile);
+    });
+  }
+  static constexpr glm::vec4 kRed{1, 0, 0, 1};
+};
+
+INSTANTIATE_TEST_SUITE_P(Framework, DoctorOfUse, testing::Values("0"));
+
+TEST_P(DoctorOfUse, AProgramIsSetAndAnotherOneDraws) {
+  EXPECT_THAT(
+      afterObject([](const gg::Program&, const gg::Program& tile) {
+        for (int i = 0; i < 2; ++i) {
+          tile.set("uColor", kRed);
+          draw();
+        }
+      }),
+      AllOf(HasSubstr("frame doctor: test.vert + test.frag draws nothing in this frame: its "
+                      "uniforms are set, but what is drawn next is drawn with test.vert + "
+                      "object.frag, which is still in use. set() doesn't change that: call "
+                      "use() of test.vert + test.frag (or glUseProgram) before drawing "
+                      "(framework_doctor_test.cpp:"),
+            ResultOf(lines, 1)));
+}
+
+TEST_P(DoctorOfUse, AProgramMayBeSetForLater) {
+  EXPECT_EQ(afterObject([](const gg::Program&, const gg::Program& tile) {
+              tile.set("uColor", kRed);
+              draw(); // with `object` once more
+              tile.use();
+              draw();
+            }),
+            "")
+      << "it draws in this frame";
+  EXPECT_EQ(
+      afterObject([](const gg::Program&, const gg::Program& tile) { tile.set("uColor", kRed); }),
+      "")
+      << "of a pass that isn't written yet";
+  EXPECT_EQ(afterObject([](const gg::Program& object, const gg::Program& tile) {
+              tile.set("uColor", kRed);
+              object.use();
+              draw();
+            }),
+            "")
+      << "the one that draws is told to";
+  EXPECT_EQ(afterObject([](const gg::Program& object, const gg::Program& tile) {
+              for (const gg::Program* program : {&object, &tile}) program->set("uColor", kRed);
+              draw();
+            }),
+            "")
+      << "both are set alike";
 }
 
 TEST_P(Doctor, NamesTheLineOfAnError) {
