@@ -6,6 +6,7 @@
 #include "grading/overlay.hpp"
 #include "grading/parallel.hpp"
 #include "grading/toolchain.hpp"
+#include "grading/workspace.hpp"
 #include "image/png.hpp"
 #include "report/text.hpp"
 #include "report/write_file.hpp"
@@ -111,8 +112,9 @@ public:
     checked_.happened = build(assignment_, folder_, program);
     compilerOutput_ = checked_.happened.output;
     if (checked_.happened.ok()) {
-      draw(program);
+      drawHandedOut(program);
       settleBegun();
+      drawOthers(program);
       observe(trace_);
       checked_.drawn = !shown_.empty() && shown_[0].has_value();
       if (checked_.drawn) judge();
@@ -130,23 +132,33 @@ private:
     return rows;
   }
 
-  /// The public scene first: where that fails the others needn't be drawn.
-  void draw(const fs::path& program) {
+  /// The public scene first: where that fails no other needs to be drawn.
+  void drawHandedOut(const fs::path& program) {
     shown_.resize(expected_.scenes.size());
     const grading::Rendering first = drawScene(program, 0);
     checked_.messages = messagesOf(first);
     facts_ = grading::factsOf(first.capture, first.capture.trace);
     trace_ = first.capture.trace;
     checked_.happened = first.happened;
-    if (!checked_.happened.ok()) return;
-    std::vector<std::size_t> others;
+    if (checked_.happened.ok()) drawScenes(program, false);
+  }
+
+  /// Nobody needs other scenes where those that were handed out are wrong.
+  void drawOthers(const fs::path& program) {
+    if (checked_.happened.ok() && windowsPass(expected_, shown_, step_)) drawScenes(program, true);
+  }
+
+  /// Those after the public one, of TODOs that were begun.
+  void drawScenes(const fs::path& program, bool another) {
+    std::vector<std::size_t> scenes;
     for (std::size_t i = 1; i < expected_.scenes.size(); ++i)
       if (const std::string& todo = expected_.scenes[i].todo;
-          todo.empty() || begun_.count(todo) || possible_.count(todo))
-        others.push_back(i);
-    std::vector<grading::Happened> happened(others.size());
-    grading::inParallel(others.size(), grading::workers(), [&](std::size_t k) {
-      happened[k] = drawScene(program, others[k]).happened;
+          expected_.scenes[i].another == another &&
+          (todo.empty() || begun_.count(todo) || possible_.count(todo)))
+        scenes.push_back(i);
+    std::vector<grading::Happened> happened(scenes.size());
+    grading::inParallel(scenes.size(), grading::workers(), [&](std::size_t k) {
+      happened[k] = drawScene(program, scenes[k]).happened;
     });
     for (const grading::Happened& one : happened)
       if (!one.ok() && checked_.happened.ok()) checked_.happened = one;
@@ -421,6 +433,8 @@ private:
 Checked check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
               const fs::path& work) {
   const auto start = std::chrono::steady_clock::now();
+  report::makeFolder(work);
+  const grading::FileLock alone(work / ".lock"); // two checks may be asked for at once
   Checked checked = Check(assignment, expected, folder, work).run();
   checked.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return checked;

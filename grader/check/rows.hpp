@@ -47,6 +47,10 @@ struct Suspect {
 std::vector<Row> rows(const Expected& expected, const Shown& shown,
                       const std::set<std::string>& begun, const Suspect& suspect = {});
 
+/// Are the windows that were drawn those after `step` TODOs, but for little, or those of a finished
+/// program that is right in another way?
+bool windowsPass(const Expected& expected, const Shown& shown, std::size_t step);
+
 /// TODOs that are done for all to see: the first picture of a frame that one changes is as after it
 /// or a later one, and as after none before it.
 std::set<std::string> doneInPictures(const Expected& expected, const Shown& shown);

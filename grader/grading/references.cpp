@@ -158,7 +158,7 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
     return jobs.empty() && fs::exists(all.shaders.folder) && fs::exists(all.ownShaders.folder);
   };
   if (ready()) return all;
-  const Making making(referenceKey(target, solutionFolder));
+  const FileLock making(lockOf(referenceKey(target, solutionFolder)));
   if (ready()) return all;
   progress("building the reference and the stub", 0, jobs.size() + 1);
   Own* const both[] = {&reference, &stub};

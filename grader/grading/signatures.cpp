@@ -61,7 +61,7 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
   };
   std::vector<std::size_t> missing = missingNow();
   if (!missing.empty()) {
-    const Making making("signatures " + solution);
+    const FileLock making(lockOf("signatures " + solution));
     missing = missingNow();
     fs::create_directories(cacheFolder() / "signatures");
     std::atomic<std::size_t> done{0};

@@ -11,7 +11,6 @@
 #include <fstream>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 namespace ggrade::grading {
@@ -129,20 +128,11 @@ void keep(const fs::path& made, const fs::path& kept) {
   fs::rename(made, kept, lost);
 }
 
-Making::Making(const std::string& what) {
+fs::path lockOf(const std::string& what) {
   const fs::path folder = cacheFolder() / "locks";
   std::error_code none;
   fs::create_directory(folder, none);
-  lock_ = open((folder / hashOf(what)).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-  while (lock_ >= 0 && flock(lock_, LOCK_EX) != 0 && errno == EINTR)
-    if (interrupted) {
-      close(lock_);
-      throw Interrupted{};
-    }
-}
-
-Making::~Making() {
-  if (lock_ >= 0) close(lock_);
+  return folder / hashOf(what);
 }
 
 std::string programKey(const Assignment& assignment, const fs::path& sources) {

@@ -31,19 +31,10 @@ std::string programKey(const Assignment& assignment, const std::filesystem::path
 /// meanwhile is as right, and a cache without room costs time, no result.
 void keep(const std::filesystem::path& made, const std::filesystem::path& kept);
 
-/// Held while something is made for the cache, so that no two processes or threads make the same.
-/// Who comes second waits, and looks again what is missing. Where locks don't work, nobody waits.
-class Making {
-public:
-  /// \param what the same for all that might make the same. Throws Interrupted.
-  explicit Making(const std::string& what);
-  ~Making();
-  Making(const Making&) = delete;
-  Making& operator=(const Making&) = delete;
-
-private:
-  int lock_;
-};
+/// The file of a lock (FileLock) that is held while something is made for the cache, so that no two
+/// make the same; who comes second looks again what is missing.
+/// \param what the same for all that might make the same
+std::filesystem::path lockOf(const std::string& what);
 
 /// A program that a recipe makes. It lies in a temporary folder of its own, goes when this goes,
 /// and is built when it is first asked for. Several threads may ask.

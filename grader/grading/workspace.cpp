@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 
 namespace ggrade::grading {
@@ -101,6 +102,19 @@ void TemporaryFolder::publish(const fs::path& final) {
   }
   fs::rename(path_, final);
   path_.clear();
+}
+
+FileLock::FileLock(const fs::path& file)
+    : lock_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+  while (lock_ >= 0 && flock(lock_, LOCK_EX) != 0 && errno == EINTR)
+    if (interrupted) {
+      close(lock_);
+      throw Interrupted{};
+    }
+}
+
+FileLock::~FileLock() {
+  if (lock_ >= 0) close(lock_);
 }
 
 } // namespace ggrade::grading

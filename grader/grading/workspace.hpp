@@ -49,4 +49,18 @@ private:
   std::filesystem::path path_;
 };
 
+/// Held by one process or thread at a time; who comes second waits. Where locks don't work, or the
+/// file can't be made, nobody waits.
+class FileLock {
+public:
+  /// Throws Interrupted.
+  explicit FileLock(const std::filesystem::path& file);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+private:
+  int lock_;
+};
+
 } // namespace ggrade::grading

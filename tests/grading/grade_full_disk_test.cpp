@@ -39,22 +39,15 @@ void expectRightOrNone(const tool::Ended& ended, const fs::path& out, double poi
                                      "no sandbox"));
 }
 
-class FullDisk : public testing::TestWithParam<const char*> {
+class FullDisk : public testing::Test {
 protected:
-  FullDisk() : submission_(submissionOf(GetParam())) {
-    points_ = tool::gradeByTool(submission_).results.at("score");
-  }
-
-  static tool::Submission submissionOf(const std::string& name) {
-    return name == "solution" ? tool::Submission::solution() : tool::Submission::example(name);
-  }
-
   const TemporaryFolder folder_;
-  const tool::Submission submission_;
-  double points_ = 0;
+  /// Drawn again for what its first fault hides: it takes every step that a right one takes.
+  const tool::Submission submission_ = tool::Submission::example("scale_on_the_left");
+  const double points_ = tool::gradeByTool(submission_).results.at("score");
 };
 
-TEST_P(FullDisk, CostsNoPoints) {
+TEST_F(FullDisk, CostsNoPoints) {
   const fs::path small = folder_.path() / "small";
   fs::create_directory(small);
   std::size_t right = 0;
@@ -76,7 +69,7 @@ TEST_P(FullDisk, CostsNoPoints) {
   EXPECT_LE(right, 4U) << "the disk was never full";
 }
 
-TEST_P(FullDisk, ThatFillsUpAtAnyStepCostsNone) {
+TEST_F(FullDisk, ThatFillsUpAtAnyStepCostsNone) {
   const fs::path small = folder_.path() / "small";
   fs::create_directory(small);
   std::size_t right = 0;
@@ -99,7 +92,7 @@ TEST_P(FullDisk, ThatFillsUpAtAnyStepCostsNone) {
   EXPECT_LE(right, 1U) << "the disk was full too late";
 }
 
-TEST_P(FullDisk, NorDoDescriptorsThatAreUsedUp) {
+TEST_F(FullDisk, NorDoDescriptorsThatAreUsedUp) {
   std::size_t right = 0;
   // Each number from too few for any sandbox to enough for a build's, with some inherited ones.
   std::vector<int> limits(11);
@@ -118,9 +111,5 @@ TEST_P(FullDisk, NorDoDescriptorsThatAreUsedUp) {
   EXPECT_GE(right, 1U);
   EXPECT_LT(right, limits.size()) << "there were always enough";
 }
-
-// The second one is drawn again for what its first fault hides.
-INSTANTIATE_TEST_SUITE_P(Of, FullDisk, testing::Values("solution", "scale_on_the_left"),
-                         [](const auto& parameter) { return std::string(parameter.param); });
 
 } // namespace

@@ -31,7 +31,7 @@ protected:
     ASSERT_TRUE(running.says(text, 60)) << running.errors();
     usleep(useconds_t(seconds * 1e6));
     running.signalGroup(signal_);
-    const Ended ended = running.wait(10);
+    const Ended ended = running.wait(30); // where much else runs
     EXPECT_FALSE(ended.late);
     EXPECT_EQ(ended.exitCode, 130) << ended.errors;
     EXPECT_EQ(ended.out, "");

@@ -37,6 +37,7 @@ TEST(Drift, AScoreMayMoveByHalfAPoint) {
   EXPECT_EQ(drift.furthest, 0.75);
   EXPECT_EQ(drift.where, "mirror/flat");
   EXPECT_THAT(drift.failures, ElementsAre("mirror/flat, seed 0: the score moved by 0.75"));
+  EXPECT_THAT(driftOf("refused", before, after, kNoLimit).failures, IsEmpty());
 }
 
 TEST(Drift, NoVerdictNorOutcomeMayChange) {

@@ -24,7 +24,7 @@ std::map<std::string, const json*> programsIn(const json& calibration) {
 
 } // namespace
 
-Drift driftOf(const std::string& variant, const json& before, const json& after) {
+Drift driftOf(const std::string& variant, const json& before, const json& after, double limit) {
   Drift drift;
   drift.variant = variant;
   const auto others = programsIn(after);
@@ -54,7 +54,7 @@ Drift driftOf(const std::string& variant, const json& before, const json& after)
         drift.furthest = distance;
         drift.where = name;
       }
-      if (distance > kDriftOfScore)
+      if (distance > limit)
         drift.failures.push_back(fmt::format("{}, seed {}: the score moved by {:.2f}", name,
                                              one.at("seed").dump(), distance));
     }
