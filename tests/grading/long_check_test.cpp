@@ -1,0 +1,176 @@
+// What `check` says of the whole catalogue: every mistake, finished and at its own step, and every
+// right answer, also without comments. See kit_check_test.cpp.
+
+#include "kit.hpp"
+
+#include "grading/catalogue.hpp"
+#include "grading/parallel.hpp"
+#include "grading/recipe.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <iostream>
+#include <mutex>
+#include <sstream>
+
+using namespace tool;
+using nlohmann::json;
+
+namespace {
+
+/// A part, and what to expect of it, made once.
+struct Known {
+  ggrade::Target target;
+  fs::path solutions, expected;
+  ggrade::grading::Catalogue catalogue;
+
+  const ggrade::Part& part() const { return target.parts.front(); }
+  const ggrade::Assignment& assignment() const { return target.assignment; }
+};
+
+const Known& known(const std::string& id) {
+  static TemporaryFolder made;
+  static std::map<std::string, Known> all;
+  const auto found = all.find(id);
+  if (found != all.end()) return found->second;
+  const fs::path expected = made.path() / id;
+  const Ended ended = runTool({"expect", id, "--out", expected}, {}, 1700);
+  if (ended.exitCode != 0) throw std::runtime_error(ended.errors);
+  ggrade::Target target = ggrade::findTarget(kSource / "assignments", id);
+  const fs::path solutions = kSource / "solutions" / target.assignment.id;
+  auto catalogue = ggrade::grading::loadCatalogue(target.assignment, target.parts.front(),
+                                                  solutions, solutions);
+  return all.emplace(id, Known{std::move(target), solutions, expected, std::move(catalogue)})
+      .first->second;
+}
+
+/// The TODOs of all parts but this one, and the first `count` of this one.
+std::set<std::string> firstTodos(const Known& of, std::size_t count) {
+  std::set<std::string> todos;
+  for (const ggrade::Part& part : of.assignment().parts)
+    for (std::size_t i = 0; i < part.todos.size(); ++i)
+      if (part.id != of.part().id || i < count) todos.insert(part.todos[i].id);
+  return todos;
+}
+
+/// All that the compiler reads; empty where the program can't be made.
+std::string textOf(const Known& of, const ggrade::grading::Recipe& recipe, const fs::path& into) {
+  try {
+    ggrade::grading::writeFiles(of.assignment(), recipe, into);
+  } catch (const ggrade::UsageError&) {
+    return {};
+  }
+  std::string text;
+  for (const std::string& name : names(into)) text += name + '\n' + read(into / name);
+  return text;
+}
+
+/// Without lines that are comments alone.
+void takeOutComments(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    std::istringstream lines(read(entry.path()));
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+      if (const std::size_t first = line.find_first_not_of(' ');
+          first == line.npos || line.compare(first, 2, "//") != 0)
+        text += line + '\n';
+    std::ofstream(entry.path()) << text;
+  }
+}
+
+/// What is told of one mistake.
+struct Told {
+  std::string name, step;
+  bool finished = false; ///< in the finished program, else in the one that has come to its step
+  std::vector<std::string> states;
+  std::string cause;
+  bool isDone = false;  ///< nothing is found
+  bool isPlaced = false; ///< the step in which it is made is the one that isn't right
+};
+
+/// In finished programs mistakes that nothing shows that is handed out are not asked for: none of
+/// the scenes that show them is public.
+Told tell(const Known& of, const ggrade::grading::Mistake& mistake, bool finished,
+          const fs::path& files) {
+  Told told{mistake.name, mistake.step, finished, {}, {}, true, false};
+  const TemporaryFolder folder; // its page, and nobody else's work folder
+  std::string said;
+  told.states = statesOf(of.part().id, of.expected, files, &said);
+  for (std::size_t i = 0; i < told.states.size(); ++i) {
+    const std::string& state = told.states[i];
+    const bool isBlamed = state == "wrong" || state == "differs" || state == "nearly";
+    if (state != "done" && state != "not_begun") told.isDone = false;
+    if (isBlamed && of.part().todos[i].id == mistake.step) told.isPlaced = true;
+  }
+  if (const json all = json::parse(said, nullptr, false); all.is_array() && !all.empty())
+    told.cause = all.at(0).at("cause");
+  return told;
+}
+
+class LongCheck : public testing::TestWithParam<std::string> {};
+
+TEST_P(LongCheck, PlacesEveryMistake) {
+  const Known& of = known(GetParam());
+  const auto& todos = of.part().todos;
+  std::vector<Told> all;
+  for (const ggrade::grading::Mistake& mistake : of.catalogue.mistakes) {
+    const auto step = std::ranges::find(todos, mistake.step, &ggrade::Todo::id);
+    const bool draws = mistake.outcome == ggrade::results::Outcome::graded ||
+                       mistake.outcome == ggrade::results::Outcome::glError;
+    if (!draws || step == todos.end()) continue;
+    for (const bool finished : {false, true}) {
+      const std::size_t count = finished ? todos.size() : std::size_t(step - todos.begin()) + 1;
+      if (!finished && count == todos.size()) continue;
+      const std::set<std::string> filled = firstTodos(of, count);
+      const TemporaryFolder folder;
+      const std::string wrong =
+          textOf(of, {of.solutions, {mistake.patch}, filled}, folder.path() / "wrong");
+      const std::string right = textOf(of, {of.solutions, {}, filled}, folder.path() / "right");
+      if (wrong.empty() || wrong == right) continue; // it can't be made yet
+      all.push_back(tell(of, mistake, finished, folder.path() / "wrong"));
+      const Told& told = all.back();
+      if (!told.isPlaced)
+        std::cout << (told.finished ? "finished " : "at step  ") << told.name << " (" << told.step
+                  << "): " << (told.isDone ? "DONE " : "") << json(told.states).dump() << ' '
+                  << told.cause << std::endl;
+    }
+  }
+  for (const bool finished : {false, true}) {
+    const auto count = [&](const auto& is) {
+      return std::ranges::count_if(
+          all, [&](const Told& one) { return one.finished == finished && is(one); });
+    };
+    const auto programs = count([](const Told&) { return true; });
+    const auto placed = count([](const Told& one) { return one.isPlaced; });
+    const auto done = count([](const Told& one) { return one.isDone; });
+    std::cout << GetParam() << (finished ? ", finished: " : ", at its step: ") << programs
+              << " mistakes, " << placed << " at the right row, " << done << " called done\n";
+    if (finished) EXPECT_EQ(done, 0);
+    EXPECT_GE(double(placed), 0.95 * double(finished ? programs : programs - done));
+  }
+}
+
+TEST_P(LongCheck, IsSilentOnEveryRightAnswer) {
+  const Known& of = known(GetParam());
+  for (const ggrade::grading::Variant& variant : of.catalogue.variants) {
+    if (!variant.loses.empty()) continue;
+    for (const bool comments : {true, false}) {
+      SCOPED_TRACE(variant.name + (comments ? "" : ", without comments"));
+      const TemporaryFolder folder;
+      const fs::path files = folder.path() / "files";
+      ggrade::grading::writeFiles(of.assignment(), {of.solutions, {variant.patch}}, files);
+      if (!comments) takeOutComments(files);
+      std::string said;
+      const std::vector<std::string> states = statesOf(of.part().id, of.expected, files, &said);
+      for (const std::string& state : states) EXPECT_EQ(state, "done") << said;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LongCheck,
+                         testing::Values("mirror", "shadow", "bloom", "shadow_volume", "figure",
+                                         "targets", "ssao"),
+                         [](const auto& info) { return info.param; });
+
+} // namespace
