@@ -263,9 +263,11 @@ private:
       checked_.hint = words(faults[0]->hint);
     } else {
       checked_.cause = say("one of {} mistakes that look alike so far", faults.size());
-      for (const Fault* fault : faults)
+      for (const Fault* fault : faults) {
+        checked_.titles.emplace_back(words(fault->title));
         checked_.hint += fmt::format("{}- {}\n  {}", checked_.hint.empty() ? "" : "\n",
                                      words(fault->title), words(fault->hint));
+      }
     }
     return faults[0]->todo;
   }
@@ -362,14 +364,18 @@ private:
       for (const std::string& beside : observed->beside) checked_.hint += beside + '\n';
       return;
     }
+    std::vector<std::string> said; // by the program, and vaguer than a known mistake
+    if (!guess_.empty()) said.push_back(guess_);
+    for (const std::string& message : checked_.messages)
+      if (message.find(": warning: ") != message.npos) said.push_back(message);
+    checked_.isPuzzle = observed_.empty() && (!checked_.cause.empty() || said.empty());
     std::vector<std::string> found = observed_;
     if (!checked_.cause.empty()) {
       found.push_back(checked_.cause);
       if (!checked_.hint.empty()) found.push_back(checked_.hint);
     }
-    if (!guess_.empty()) found.push_back(guess_);
-    for (const std::string& message : checked_.messages)
-      if (message.find(": warning: ") != message.npos) found.push_back(message);
+    // Beside a puzzle it stays among the messages, told at once.
+    if (!checked_.isPuzzle) found.insert(found.end(), said.begin(), said.end());
     if (!change_.empty()) found.push_back(change_);
     if (found.empty()) return;
     checked_.cause = capitalized(found.front());
