@@ -13,11 +13,14 @@
 #include "words/words.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdio>
 #include <map>
 #include <optional>
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 namespace ggrade::check {
@@ -71,6 +74,26 @@ Target chosen(const std::string& id) {
   if (all.empty()) throw UsageError(say("{} holds no assignment", folder.string()));
   return findTarget(folder, std::ranges::max_element(all, {}, lastSaved)->id);
 }
+
+/// Two looks at once, such as a watch's and somebody's own, would build in one place: the other one
+/// waits until this ends.
+class Turn {
+public:
+  explicit Turn(const fs::path& work) {
+    report::makeFolder(work);
+    lock_ = open((work / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    while (lock_ >= 0 && flock(lock_, LOCK_EX) != 0 && errno == EINTR && !grading::interrupted) {
+    }
+  }
+  ~Turn() {
+    if (lock_ >= 0) close(lock_);
+  }
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+private:
+  int lock_ = -1;
+};
 
 class Command {
 public:
@@ -159,6 +182,7 @@ private:
 
   /// Checks once and writes the page.
   void look() {
+    const Turn turn(work_);
     std::vector<Looked> all;
     for (const std::size_t i : partsToLookAt()) {
       Looked looked;

@@ -85,9 +85,10 @@ json partOf(const Looked& looked) {
   const bool isPuzzle = lastLevel(checked) > Level::where;
   return {{"title", sanitizeLine(words(looked.part->title))},
           {"headline", headline(checked)},
-          {"percent", checked.drawn ? 100 * doneRows(checked) / checked.rows.size() : 0},
+          {"drawn", checked.drawn},
+          {"percent", 100 * doneRows(checked) / std::max<std::size_t>(checked.rows.size(), 1)},
           {"rows", std::move(rows)},
-          {"outcome", sanitizeLine(outcomeOf(checked))},
+          {"outcome", sanitizeLine(withPaths(outcomeOf(checked), looked.folder))},
           {"isTold", !isPuzzle && !checked.cause.empty()},
           {"isPuzzle", isPuzzle},
           {"fault", sanitizeLine(identityOf(checked), kLongestIdentity)},
