@@ -112,6 +112,7 @@ void writeKit(const KitOptions& options, const fs::path& kit, const grading::Pro
   const fs::path texts = kRoot / "grader" / "authoring" / "kit";
   fs::remove_all(kit / "grader" / "authoring" / "kit");
   for (const char* name : {"README.md", "README.ja.md"}) fs::copy_file(texts / name, kit / name);
+  copyTree(texts / "vscode", kit / ".vscode");
   if (options.devcontainer) copyTree(texts / "devcontainer", kit / ".devcontainer");
   for (const HandedOut& handedOut : choose(options)) writeAssignment(handedOut, kit, progress);
 }

@@ -6,7 +6,6 @@
 #include "grading/overlay.hpp"
 #include "grading/parallel.hpp"
 #include "grading/toolchain.hpp"
-#include "grading/workspace.hpp"
 #include "image/png.hpp"
 #include "report/text.hpp"
 #include "report/write_file.hpp"
@@ -275,9 +274,11 @@ private:
       checked_.hint = words(faults[0]->hint);
     } else {
       checked_.cause = say("one of {} mistakes that look alike so far", faults.size());
-      for (const Fault* fault : faults)
+      for (const Fault* fault : faults) {
+        checked_.titles.emplace_back(words(fault->title));
         checked_.hint += fmt::format("{}- {}\n  {}", checked_.hint.empty() ? "" : "\n",
                                      words(fault->title), words(fault->hint));
+      }
     }
     return faults[0]->todo;
   }
@@ -374,14 +375,18 @@ private:
       for (const std::string& beside : observed->beside) checked_.hint += beside + '\n';
       return;
     }
+    std::vector<std::string> said; // by the program, and vaguer than a known mistake
+    if (!guess_.empty()) said.push_back(guess_);
+    for (const std::string& message : checked_.messages)
+      if (message.find(": warning: ") != message.npos) said.push_back(message);
+    checked_.isPuzzle = observed_.empty() && (!checked_.cause.empty() || said.empty());
     std::vector<std::string> found = observed_;
     if (!checked_.cause.empty()) {
       found.push_back(checked_.cause);
       if (!checked_.hint.empty()) found.push_back(checked_.hint);
     }
-    if (!guess_.empty()) found.push_back(guess_);
-    for (const std::string& message : checked_.messages)
-      if (message.find(": warning: ") != message.npos) found.push_back(message);
+    // Beside a puzzle it stays among the messages, told at once.
+    if (!checked_.isPuzzle) found.insert(found.end(), said.begin(), said.end());
     if (!change_.empty()) found.push_back(change_);
     if (found.empty()) return;
     checked_.cause = capitalized(found.front());
@@ -433,8 +438,6 @@ private:
 Checked check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
               const fs::path& work) {
   const auto start = std::chrono::steady_clock::now();
-  report::makeFolder(work);
-  const grading::FileLock alone(work / ".lock"); // two checks may be asked for at once
   Checked checked = Check(assignment, expected, folder, work).run();
   checked.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return checked;

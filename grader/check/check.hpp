@@ -24,9 +24,13 @@ struct Checked {
   std::vector<std::string> messages; ///< what the program and OpenGL said, a line each
   std::vector<Row> rows;             ///< no row is `done` or `wrong` if nothing was drawn
   std::optional<Wrong>
-      firstWrong;        ///< the first wrong picture of a frame, against what should be there now
-  std::string cause;     ///< the likeliest one, in words; empty: none is known
-  std::string hint;      ///< what to look at; may be empty
+      firstWrong;    ///< the first wrong picture of a frame, against what should be there now
+  std::string cause; ///< the likeliest one, in words; empty: none is known
+  std::string hint;  ///< what to look at; may be empty
+  std::vector<std::string> titles; ///< of several mistakes that look alike; `hint` has them, too
+  /// Is this for the student to find out, and told bit by bit? Not what compiler, OpenGL or the
+  /// program itself say.
+  bool isPuzzle = false;
   std::size_t scene = 0; ///< whose windows follow; of `Expected::scenes`
   Image window;          ///< first frame; RGB, empty: none came
   Image expectedWindow;  ///< of the program that has done what was begun

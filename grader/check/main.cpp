@@ -1,7 +1,10 @@
 // ggrade check: how far is a student's own program, and what is wrong with it?
 
 #include "check/begun.hpp"
+#include "check/editor.hpp"
+#include "check/keys.hpp"
 #include "check/page.hpp"
+#include "check/terminal.hpp"
 #include "cli/help.hpp"
 #include "grading/overlay.hpp"
 #include "grading/toolchain.hpp"
@@ -13,7 +16,7 @@
 #include <chrono>
 #include <cstdio>
 #include <map>
-#include <thread>
+#include <optional>
 
 #include <unistd.h>
 
@@ -24,11 +27,12 @@ using gg::say;
 
 namespace {
 
+constexpr std::chrono::milliseconds kBetweenLooks{100};
 constexpr int kRight = 0, kWrong = 1, kUsage = 2, kInterrupted = 130;
 
 struct Options {
-  std::string id, folder, expected, out, language;
-  bool watch = false, json = false;
+  std::string id, folder, expected, out, language, format = "text", editor;
+  bool watch = false, hint = false, json = false, open = false;
 };
 
 using Saved = std::map<std::string, fs::file_time_type>;
@@ -74,7 +78,9 @@ public:
       : options_(options), target_(chosen(options.id)),
         folder_(options.folder.empty() ? target_.assignment.folder : fs::path(options.folder)),
         out_(options.out.empty() ? fs::path("out") / ("check-" + target_.id + ".html")
-                                 : fs::path(options.out)) {
+                                 : fs::path(options.out)),
+        work_(fs::path(toolchain::kBuildFolder) / "check" / target_.assignment.id),
+        told_(work_ / "told.json") {
     gg::addWords(target_.assignment.folder / "words.ja.json");
     const fs::path expected = options.expected.empty()
                                   ? fs::path(toolchain::kSourceFolder) / "expected"
@@ -89,22 +95,48 @@ public:
       throw UsageError(say("{} doesn't say what to expect of {}: is this kit whole, and is {} one "
                            "of its parts?",
                            expected.string(), target_.id, target_.id));
+    if (options_.open) editor_ = editorCommand(options_.editor);
+    if (options_.watch && needsTerminal(editor_))
+      throw UsageError(say(
+          "--open: {} writes to this terminal, as --watch does. Name an editor with a window, such "
+          "as --edit-cmd \"code -g {{file}}:{{line}}\", or open it elsewhere, such as --edit-cmd "
+          "\"tmux split-window vim +{{line}} {{file}}\"; or leave --watch out",
+          editor_));
   }
 
   int run() {
-    if (!options_.watch) return look();
+    if (!options_.watch) {
+      look();
+      tell(options_.hint);
+      print(say("add --hint"));
+      openEditor();
+      return isAllRight() ? kRight : kWrong;
+    }
     fmt::print(stderr, "{}\n",
                say("ggrade: watching {}; the page is {}; Ctrl-C ends this", folder_.string(),
                    fs::absolute(out_).string()));
-    while (!grading::interrupted) {
+    Keys keys;
+    for (bool more = options_.hint; !grading::interrupted; more = false) {
       const Saved saved = savedIn(target_.assignment, folder_);
       try {
+        // Editors take this line and the page's name for begin and end of a look.
+        if (!options_.json) fmt::print("{}\n", say("ggrade: looking at {} ...", folder_.string()));
+        std::fflush(stdout);
         look();
+        tell(more);
+        printWatched(keys);
+        openEditor();
       } catch (const UsageError& error) { // a file may be missing while it is being saved
         fmt::print(stderr, "ggrade: {}\n", error.what());
       }
-      while (!grading::interrupted && savedIn(target_.assignment, folder_) == saved)
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      while (!grading::interrupted && savedIn(target_.assignment, folder_) == saved) {
+        if (keys.next(kBetweenLooks) == 'h') {
+          tell(true);
+          printWatched(keys);
+        }
+        if (const auto code = beside_.failed())
+          fmt::print(stderr, "{}\n", say("ggrade: the editor ended with {}: {}", *code, editor_));
+      }
     }
     return kInterrupted;
   }
@@ -125,33 +157,97 @@ private:
     return begunOnes.empty() ? std::vector<std::size_t>{0} : begunOnes;
   }
 
-  /// Checks once, prints and writes the page.
-  int look() {
-    const bool terminal = isatty(STDOUT_FILENO) != 0;
-    const fs::path work = fs::path(toolchain::kBuildFolder) / "check" / target_.assignment.id;
+  /// Checks once and writes the page.
+  void look() {
+    // Two looks at once, such as a watch's and somebody's own, would build in one place.
+    report::makeFolder(work_);
+    const grading::FileLock turn(work_ / "lock");
     std::vector<Looked> all;
-    for (const std::size_t i : partsToLookAt())
-      all.push_back({parts_[i], &expected_[i], handoutOf(target_.assignment, *parts_[i]),
-                     check(target_.assignment, expected_[i], folder_, work)});
+    for (const std::size_t i : partsToLookAt()) {
+      Looked looked;
+      looked.part = parts_[i];
+      looked.expected = &expected_[i];
+      looked.handout = handoutOf(target_.assignment, *parts_[i]);
+      looked.folder = folder_;
+      looked.checked = check(target_.assignment, expected_[i], folder_, work_);
+      if (const Row* row = rowToLookAt(looked.checked))
+        looked.places =
+            placesOf(row->todo, target_.assignment.files, stubFolder(expected_[i].folder), folder_);
+      all.push_back(std::move(looked));
+    }
     report::makeFolder(fs::absolute(out_).parent_path());
     report::writeFile(out_, page("ggrade check " + target_.id, all, options_.watch));
-    if (options_.watch && terminal) fmt::print("\033[2J\033[H");
+    looked_ = std::move(all);
+  }
+
+  /// How much is told of each part: where it is wrong alone, or in a watch or where more is asked
+  /// for, all that was told. Asking tells one level more of the first part that has one.
+  void tell(bool more) {
+    for (const Looked& looked : looked_) told_.settle(keyOf(looked), looked.checked);
+    if (more && !options_.json)
+      for (const Looked& looked : looked_)
+        if (told_.of(keyOf(looked), looked.checked) < lastLevel(looked.checked)) {
+          told_.tellMore(keyOf(looked), looked.checked);
+          break;
+        }
+    bool isAsked = false;
+    for (Looked& looked : looked_) {
+      looked.level =
+          more || options_.watch ? told_.of(keyOf(looked), looked.checked) : Level::where;
+      looked.canAsk = !isAsked && looked.level < lastLevel(looked.checked);
+      isAsked = isAsked || looked.canAsk;
+    }
+  }
+
+  /// What was told of other files is nothing of these.
+  std::string keyOf(const Looked& looked) const {
+    return looked.part->id + ' ' + fs::absolute(folder_).lexically_normal().string();
+  }
+
+  void print(const std::string& ask) const {
+    const bool colour = isatty(STDOUT_FILENO) != 0 && !std::getenv("NO_COLOR");
     if (options_.json)
-      fmt::print("{}\n", toJson(all).dump(2));
+      fmt::print("{}\n", toJson(looked_).dump(2));
     else
-      fmt::print("{}{}\n", table(all, terminal && !std::getenv("NO_COLOR")), out_.string());
+      fmt::print("{}{}\n", table(looked_, colour, ask), out_.string());
     std::fflush(stdout);
-    const bool right = std::ranges::all_of(all, [](const Looked& looked) {
+  }
+
+  void printWatched(const Keys& keys) const {
+    if (isatty(STDOUT_FILENO) != 0) fmt::print("\033[2J\033[H");
+    print(keys.areThere() ? say("press h") : say("add --hint"));
+  }
+
+  /// Where a TODO has become the next one.
+  void openEditor() {
+    if (!options_.open) return;
+    for (const Looked& looked : looked_) {
+      const Row* row = rowToLookAt(looked.checked);
+      if (!row || looked.places.empty()) continue;
+      if (row->todo == opened_) return;
+      opened_ = row->todo;
+      const std::string command = withPlace(editor_, looked.places.front());
+      options_.watch ? beside_.open(command) : openHere(command);
+      return;
+    }
+  }
+
+  bool isAllRight() const {
+    return std::ranges::all_of(looked_, [](const Looked& looked) {
       return looked.checked.happened.ok() && allRight(looked.checked.rows);
     });
-    return right ? kRight : kWrong;
   }
 
   const Options& options_;
   Target target_;
-  fs::path folder_, out_;
+  fs::path folder_, out_, work_;
+  Told told_;
   std::vector<const Part*> parts_;
   std::vector<Expected> expected_;
+  std::vector<Looked> looked_;
+  std::string editor_; // a command with places in it
+  Beside beside_;
+  std::string opened_; // the TODO at which it was opened last
 };
 
 int run(int argc, char** argv) {
@@ -166,23 +262,40 @@ int run(int argc, char** argv) {
                  say("Assignment or part (default: what was begun of the assignment whose files "
                      "were saved last)"));
   app.add_flag("--watch", options.watch,
-               say("Again on every save, until Ctrl-C; the page follows by itself"));
+               say("Again on every save, until Ctrl-C; the page follows by itself, and the key h "
+                   "tells a hint"));
+  app.add_flag("--hint", options.hint,
+               say("Tell more of what is wrong: first what to look at, asked once more why"));
+  CLI::Option* open = app.add_flag(
+      "--open", options.open,
+      say("Open the editor ($VISUAL, else $EDITOR) at the next TODO; with --watch whenever another "
+          "one is next"));
+  app.add_option("--edit-cmd", options.editor,
+                 say("Another editor; {{file}} and {{line}} are put in, and the shell runs it"))
+      ->needs(open);
   app.add_option("--folder", options.folder, say("Other files than those in assignments/ID"));
   app.add_option("--out", options.out, say("The page's file (default out/check-ID.html)"));
   app.add_option("--lang", options.language, say("en or ja (default: by GG_LANG, else LANG)"))
       ->check(CLI::IsMember({"en", "ja"}));
-  app.add_flag("--json", options.json, say("Print JSON on stdout"));
+  app.add_option("--format", options.format,
+                 say("text, whose lines editors understand, or json, which has everything"))
+      ->check(CLI::IsMember({"text", "json"}));
+  app.add_flag("--json", options.json, say("The same as --format json"));
   app.add_option("--expected", options.expected, say("What to compare with"))->group("");
   app.footer(say("The program is built and run on this machine, as you, without a sandbox.\n"
                  "Exit codes: 0 all that was begun is right, 1 something isn't, 2 usage.\n\n"
                  "Examples:\n"
                  "  ggrade check mirror\n"
-                 "  ggrade check --watch"));
+                 "  ggrade check mirror --hint\n"
+                 "  ggrade check --watch\n"
+                 "  ggrade check --watch --open --edit-cmd \"code -g {{file}}:{{line}}\"\n"
+                 "  ggrade check mirror --format json"));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? kRight : kUsage;
   }
+  options.json = options.json || options.format == "json";
   if (const auto language = gg::parseLanguage(options.language)) {
     gg::setLanguage(*language);
     setenv("GG_LANG", options.language.c_str(), 1);

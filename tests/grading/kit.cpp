@@ -81,6 +81,7 @@ void expectKit(const fs::path& kit, const Ended& released,
   EXPECT_THAT(names(kit),
               IsSupersetOf({"CMakeLists.txt", "README.md", "README.ja.md", "assignments", "cmake",
                             "expected", "framework", "ggrade", "grader"}));
+  EXPECT_TRUE(fs::exists(kit / ".vscode/tasks.json"));
   EXPECT_THAT(names(kit), Not(Contains("solutions")));
   EXPECT_THAT(names(kit), Not(Contains("tests")));
   EXPECT_TRUE(fs::exists(kit.string() + ".zip"));

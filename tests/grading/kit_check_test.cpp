@@ -53,6 +53,12 @@ protected:
   TemporaryFolder folder_;
 };
 
+/// A line that begins with a file's place. Paths are from the folder where `check` runs, which may
+/// be the root.
+auto hasLineAt(const fs::path& file) {
+  return testing::ContainsRegex("\n/?" + file.relative_path().string() + ":[0-9]+:");
+}
+
 void expectSilence(const json& part) {
   EXPECT_EQ(part.at("cause"), "");
   EXPECT_EQ(part.at("messages"), json::array()) << "the doctor is silent when all is well";
@@ -190,6 +196,11 @@ TEST_F(Check, WhatCannotDrawIsNotJudged) {
   EXPECT_THAT(ended.out, AllOf(HasSubstr("mirror: not judged: the program draws nothing"),
                                HasSubstr("judged once the program draws"), Not(HasSubstr("Next:")),
                                Not(HasSubstr("0 of 7"))));
+  // As compilers write it, once, and told at once: it is no riddle.
+  const fs::path shader = submission.path() / "tile.frag";
+  EXPECT_THAT(ended.out, AllOf(hasLineAt(shader), HasSubstr("A shader doesn't compile")));
+  const std::string place = shader.relative_path().string();
+  EXPECT_EQ(ended.out.find(place), ended.out.rfind(place)) << ended.out;
 }
 
 /// Step 6 is seen in the handout's scene alone, so that is the one that is shown.
@@ -256,10 +267,11 @@ TEST_F(Check, ATextureOfAnotherSizeIsNotCalledWrong) {
   Submission submission = Submission::firstSteps(2);
   submission.replace("floor.cpp", "scene.integer(\"quality.mirror_size\")", "300");
   const Ended ended = Running(command(submission.path())).wait(100);
-  EXPECT_THAT(ended.out,
-              AllOf(HasSubstr("mirror: 1 of 7 done"), HasSubstr("  mirror.2          differs"),
-                    HasSubstr("or another right way; it may lie in mirror.1, too"),
-                    Not(HasSubstr("Likely cause"))));
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("mirror: [##------------] 1 of 7 done"),
+                               HasSubstr("  mirror.2          differs"),
+                               HasSubstr(": warning: mirror.2 may be"),
+                               HasSubstr("or another right way; it may lie in mirror.1, too"),
+                               Not(HasSubstr("Likely cause"))));
   submission.replace("floor.cpp",
                      "reflection.size);\n      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
                      "reflection.size);");
@@ -314,12 +326,19 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
   const Ended ended = Running(command(submission.path())).wait(100);
   EXPECT_EQ(ended.exitCode, 1);
   const fs::path file = expected() / "mirror" / "scene-4.json";
+  // Where, and no more than that before somebody asks.
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("mirror: [############--] 6 of 7 done"),
+                    HasSubstr("  mirror.7          wrong"),
+                    hasLineAt(submission.path() / "tile.frag"),
+                    HasSubstr(": error: mirror.7 is wrong: "), HasSubstr("(in another scene: "),
+                    HasSubstr(file.relative_path().string() + ")"),
+                    HasSubstr("For a hint: add --hint\n"), Not(HasSubstr("Likely cause"))));
+  const Ended asked = Running(command(submission.path(), {"--hint"})).wait(100);
   EXPECT_THAT(
-      ended.out,
-      AllOf(HasSubstr("mirror: 6 of 7 done"), HasSubstr("  mirror.7          wrong"),
-            HasSubstr("(in another scene: "), HasSubstr(file.relative_path().string() + ")"),
-            HasSubstr("Likely cause: It is right in the handed-out scenes, or nearly, and wrong in "
-                      "another one: is a number typed in")));
+      asked.out,
+      HasSubstr("Likely cause: It is right in the handed-out scenes, or nearly, and wrong in "
+                "another one: is a number typed in"));
   EXPECT_EQ(json::parse(read(file)).at("mirror").at("blur"), 0.03);
   // What the scene is there for is where to look, though the whole floor is too bright.
   Submission samples = Submission::solution();
@@ -344,14 +363,22 @@ TEST_F(Check, AnErrorOfOpenGlIsNeverDone) {
 }
 
 TEST_F(Check, AProgramThatDoesNotCompileIsNamedWithItsLine) {
-  const Ended ended = Running(command(Submission::example("build_error").path())).wait(100);
+  const Submission submission = Submission::example("build_error");
+  const Ended ended = Running(command(submission.path())).wait(100);
   EXPECT_EQ(ended.exitCode, 1);
-  EXPECT_THAT(ended.out, AllOf(HasSubstr("error:"), HasSubstr("floor.cpp:")));
+  EXPECT_THAT(ended.out, AllOf(HasSubstr(" error: "), hasLineAt(submission.path() / "floor.cpp")));
 }
 
 TEST_F(Check, LooksAgainAtEverySave) {
   Submission submission = Submission::firstSteps(2);
-  Running watching(command(submission.path(), {"--watch"}));
+  const Ended refused =
+      Running(command(submission.path(), {"--watch", "--open", "--edit-cmd", "vim {file}"}))
+          .wait(10);
+  EXPECT_EQ(refused.exitCode, 2);
+  EXPECT_THAT(refused.errors, HasSubstr("tmux split-window"));
+  const fs::path opened = folder_.path() / "opened";
+  Running watching(command(submission.path(), {"--watch", "--open", "--edit-cmd",
+                                               "echo {file}:{line} >> " + opened.string()}));
   const auto waitFor = [&](const std::string& text) {
     for (int i = 0; i < 600; ++i) {
       if (watching.out().find(text) != std::string::npos) return true;
@@ -366,8 +393,17 @@ TEST_F(Check, LooksAgainAtEverySave) {
   for (const std::string& name : names(more.path()))
     fs::copy_file(more.path() / name, submission.path() / name,
                   fs::copy_options::overwrite_existing);
+  // Somebody's own look at the same time builds in the same place.
+  const Ended own = Running(command(submission.path())).wait(100);
+  EXPECT_EQ(own.exitCode, 0) << own.out;
   EXPECT_TRUE(waitFor("4 of 7 done")) << watching.out() << watching.errors();
   EXPECT_THAT(read(page), HasSubstr("4 of 7 done"));
+  // At step 3 first, then at step 5; each is done in floor.cpp and in another file.
+  std::istringstream places(read(opened));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(places, line);) lines.push_back(line);
+  const std::string program = (submission.path() / "floor.cpp").relative_path().string() + ':';
+  EXPECT_THAT(lines, testing::ElementsAre(HasSubstr(program), HasSubstr(program)));
   watching.signalGroup(SIGINT);
   EXPECT_EQ(watching.wait(10).exitCode, 130);
 }

@@ -39,8 +39,8 @@ const Known& known(const std::string& id) {
   if (ended.exitCode != 0) throw std::runtime_error(ended.errors);
   ggrade::Target target = ggrade::findTarget(kSource / "assignments", id);
   const fs::path solutions = kSource / "solutions" / target.assignment.id;
-  auto catalogue = ggrade::grading::loadCatalogue(target.assignment, target.parts.front(),
-                                                  solutions, solutions);
+  auto catalogue =
+      ggrade::grading::loadCatalogue(target.assignment, target.parts.front(), solutions, solutions);
   return all.emplace(id, Known{std::move(target), solutions, expected, std::move(catalogue)})
       .first->second;
 }
@@ -85,7 +85,7 @@ struct Told {
   bool finished = false; ///< in the finished program, else in the one that has come to its step
   std::vector<std::string> states;
   std::string cause;
-  bool isDone = false;  ///< nothing is found
+  bool isDone = false;   ///< nothing is found
   bool isPlaced = false; ///< the step in which it is made is the one that isn't right
 };
 

@@ -1,0 +1,163 @@
+#include "check/looked.hpp"
+
+#include "report/text.hpp"
+#include "words/words.hpp"
+
+#include <algorithm>
+
+namespace ggrade::check {
+
+namespace fs = std::filesystem;
+using gg::say;
+using gg::words;
+
+namespace {
+
+/// The TODOs right before one that were taken for done as nothing of them is seen.
+std::string unseenBefore(const Checked& checked, const Row& row) {
+  std::string names;
+  for (auto k = std::size_t(&row - checked.rows.data()); k > 0 && !checked.rows[k - 1].seen; --k)
+    if (checked.rows[k - 1].state == State::done)
+      names = checked.rows[k - 1].todo + (names.empty() ? "" : ", " + names);
+  return names;
+}
+
+} // namespace
+
+const Row* rowToLookAt(const Checked& checked) {
+  if (!checked.drawn) return nullptr;
+  for (const State state : {State::wrong, State::nearly, State::differs})
+    for (const Row& row : checked.rows)
+      if (row.state == state) return &row;
+  const auto next =
+      std::ranges::find_if(checked.rows, [](const Row& row) { return row.state != State::done; });
+  return next == checked.rows.end() ? nullptr : &*next;
+}
+
+bool hasWrong(const Checked& checked) {
+  return std::ranges::find(checked.rows, State::wrong, &Row::state) != checked.rows.end();
+}
+
+const Todo& todoOf(const Part& part, const std::string& id) {
+  return *std::ranges::find(part.todos, id, &Todo::id);
+}
+
+std::string nameOf(State state) {
+  switch (state) {
+  case State::done:
+    return say("done");
+  case State::wrong:
+    return say("wrong");
+  case State::waits:
+    return say("waits");
+  case State::nearly:
+    return say("nearly");
+  case State::differs:
+    return say("differs");
+  case State::notBegun:
+    break;
+  }
+  return say("not begun");
+}
+
+std::size_t doneRows(const Checked& checked) {
+  return std::size_t(std::ranges::count(checked.rows, State::done, &Row::state));
+}
+
+std::string headline(const Checked& checked) {
+  if (!checked.drawn) return say("not judged: the program draws nothing");
+  return say("{} of {} done", doneRows(checked), checked.rows.size());
+}
+
+std::string noteOf(const Checked& checked, const Row& row) {
+  // What is seen of a later TODO stands on this one.
+  const bool last = std::ranges::none_of(checked.rows, [&](const Row& later) {
+    return &later > &row && later.state == State::done && later.seen;
+  });
+  if (row.state == State::done && !row.seen && last)
+    return say("as far as this scene shows: nothing of it can be seen yet");
+  if (row.state == State::nearly)
+    return say("a little differs that no known mistake explains: a detail, or another right way");
+  if (row.state == State::wrong || row.state == State::differs) {
+    const std::string doubt =
+        row.state == State::wrong
+            ? std::string()
+            : say("no known mistake, and the window doesn't show it yet: wrong, or another right "
+                  "way");
+    const std::string names = checked.cause.empty() ? unseenBefore(checked, row) : std::string();
+    if (names.empty()) return doubt;
+    const std::string unseen =
+        say("it may lie in {}, too, of which nothing could be seen before", names);
+    return doubt.empty() ? unseen : say("{}; {}", doubt, unseen);
+  }
+  if (row.state == State::waits)
+    return checked.drawn ? say("begun; judged once what comes before it is right")
+                         : say("begun; judged once the program draws");
+  return {};
+}
+
+std::string purposeOf(const Part& part, const std::string& todo) {
+  std::string titles;
+  for (const ItemDeclaration& item : part.items)
+    if (item.step == todo && item.kind == results::ItemKind::gain)
+      titles += (titles.empty() ? "" : "; ") + std::string(words(item.title));
+  return titles.empty() ? std::string(words(todoOf(part, todo).title)) : titles;
+}
+
+std::string sceneOf(const Looked& looked, std::size_t scene) {
+  const auto& [name, values, times, todo, another] = looked.expected->scenes[scene];
+  if (another) return say("in another scene: {}", shown(sceneFile(looked.expected->folder, scene)));
+  if (todo.empty()) return {};
+  const auto& todos = looked.part->todos;
+  return say("in the scene of the handout's step {}",
+             std::ranges::find(todos, todo, &Todo::id) - todos.begin() + 1);
+}
+
+std::string pictureHeading(const Checked& checked) {
+  return hasWrong(checked) ? say("First wrong picture") : say("First picture that differs");
+}
+
+std::string pictureOf(const Looked& looked) {
+  const Wrong& wrong = *looked.checked.firstWrong;
+  const std::string place = say("{}: {} of it differs from what should be there now", wrong.name,
+                                report::percent(wrong.share));
+  const std::string scene = sceneOf(looked, wrong.scene);
+  return scene.empty() ? place : say("{} ({})", place, scene);
+}
+
+std::string outcomeOf(const Checked& checked) {
+  return checked.happened.ok() && checked.happened.outcome == results::Outcome::graded
+             ? std::string()
+             : checked.happened.detail;
+}
+
+std::string stepToRead(const Looked& looked) {
+  if (!looked.checked.drawn) return {};
+  const Row* row = rowToLookAt(looked.checked);
+  if (!row)
+    return say("every step is done; hand in what you changed in {}",
+               fs::path(looked.handout).parent_path().string());
+  const Todo& todo = todoOf(*looked.part, row->todo);
+  return say("{}, step {}: {}", looked.handout, &todo - looked.part->todos.data() + 1,
+             words(todo.title));
+}
+
+std::vector<Problem> todoProblems(const Looked& looked) {
+  const Row* row = rowToLookAt(looked.checked);
+  if (!row) return {};
+  const std::string_view title = words(todoOf(*looked.part, row->todo).title);
+  const bool isWrong = row->state == State::wrong;
+  const bool isNext = row->state == State::waits || row->state == State::notBegun;
+  std::vector<Problem> problems;
+  for (const Place& place : looked.places)
+    problems.push_back({place, "note", say("{} goes on here", row->todo)});
+  if (!problems.empty()) {
+    problems[0].severity = isWrong ? "error" : isNext ? "note" : "warning";
+    problems[0].text = isWrong  ? say("{} is wrong: {}", row->todo, title)
+                       : isNext ? say("{} is next: {}", row->todo, title)
+                                : say("{} may be wrong: {}", row->todo, title);
+  }
+  return problems;
+}
+
+} // namespace ggrade::check
