@@ -4,14 +4,12 @@
 #include "kit.hpp"
 
 #include "grading/catalogue.hpp"
-#include "grading/parallel.hpp"
 #include "grading/recipe.hpp"
 
 #include <gmock/gmock.h>
 
 #include <fstream>
 #include <iostream>
-#include <mutex>
 #include <sstream>
 
 using namespace tool;
@@ -89,8 +87,6 @@ struct Told {
   bool isPlaced = false; ///< the step in which it is made is the one that isn't right
 };
 
-/// In finished programs mistakes that nothing shows that is handed out are not asked for: none of
-/// the scenes that show them is public.
 Told tell(const Known& of, const ggrade::grading::Mistake& mistake, bool finished,
           const fs::path& files) {
   Told told{mistake.name, mistake.step, finished, {}, {}, true, false};

@@ -372,7 +372,7 @@ private:
       for (const auto& [name, source] : honest_)
         fs::copy(source, uploads() / name, fs::copy_options::recursive);
     run_ = runAmid(around_,
-                   {"batch", "mirror", uploads(), "--jobs", "3", "--no-diagnosis", "--out", out()},
+                   {"batch", "mirror", uploads(), "--quality", "fast", "--jobs", "3", "--no-diagnosis", "--out", out()},
                    secret_, 1000);
   }
 
@@ -452,7 +452,7 @@ TEST(HostileNeighbours, ChangeNobodysResult) {
   for (const auto& [name, source] : together.honest())
     fs::copy(source, uploads / name, fs::copy_options::recursive);
   const Ended ended =
-      runTool({"batch", "mirror", uploads, "--jobs", "2", "--no-diagnosis", "--out", alone},
+      runTool({"batch", "mirror", uploads, "--quality", "fast", "--jobs", "2", "--no-diagnosis", "--out", alone},
               {{"GGRADE_CANARY", together.secret()}}, 280);
   ASSERT_EQ(ended.exitCode, 0) << ended.out << ended.errors;
   for (const auto& [name, source] : together.honest())
