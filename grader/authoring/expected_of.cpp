@@ -26,6 +26,21 @@ using nlohmann::json;
 
 namespace {
 
+bool isTogether(const Assignment& assignment, const Part& part) {
+  return part.id == assignment.id && part.todos.size() == 1 && part.todos.front().id == part.id;
+}
+
+/// The public scene with the effects of all parts.
+std::vector<check::Scene> scenesOfAll(const Assignment& assignment, const fs::path& solutions) {
+  std::vector<std::string> ids;
+  for (const Part& part : assignment.parts) ids.push_back(part.id);
+  const Target target{assignment, assignment.parts, assignment.id};
+  const auto scenes = grading::drawScenes(target, solutions).scenes;
+  const auto isPublic = [](const grading::SceneCase& scene) { return scene.isPublic; };
+  return {{"public", grading::partScene(assignment, ids),
+           std::ranges::find_if(scenes, isPublic)->times, "", false}};
+}
+
 /// The scenes that a student may see.
 std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& part,
                                    const fs::path& solutions, const std::set<std::string>& blank) {
@@ -233,7 +248,7 @@ void writePictures(const Assignment& assignment, const fs::path& solutions,
       writePng(check::stepPicture(into, k, i),
                rubric::toImage(grading::rawFrames(rendering.capture).at(0)));
       if (i > 0) continue;
-      expected.samplers[k] = diagnosis::samplersWithTexture(rendering.capture.trace);
+      expected.samplers[k] = diagnosis::sampledTextures(rendering.capture.trace);
       if (k + 1 == filled.size())
         writePassFiles(rendering.capture.trace, check::referenceFolder(into), true);
     }
@@ -248,18 +263,26 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   check::Expected expected;
   expected.assignment = assignment.id;
   expected.part = part.id;
-  expected.scenes = scenesOf(assignment, part, solutions, blank);
-  for (const Todo& todo : part.todos)
-    if (blank.count(todo.id)) expected.todos.push_back(todo.id);
-
-  // What this part shows doesn't depend on the other parts' TODOs.
-  std::vector<std::set<std::string>> filled{allTodos(assignment)};
-  for (const std::string& todo : expected.todos) filled.front().erase(todo);
-  for (const std::string& todo : expected.todos) {
-    filled.push_back(filled.back());
-    filled.back().insert(todo);
+  std::vector<std::set<std::string>> filled; // by step
+  Target target{assignment, {part}, part.id};
+  if (isTogether(assignment, part)) {
+    target.parts = assignment.parts;
+    expected.scenes = scenesOfAll(assignment, solutions);
+    expected.todos = {part.id};
+    filled = {allTodos(assignment), allTodos(assignment)};
+    for (const std::string& todo : blank) filled.front().erase(todo);
+  } else {
+    expected.scenes = scenesOf(assignment, part, solutions, blank);
+    for (const Todo& todo : part.todos)
+      if (blank.count(todo.id)) expected.todos.push_back(todo.id);
+    // What this part shows doesn't depend on the other parts' TODOs.
+    filled = {allTodos(assignment)};
+    for (const std::string& todo : expected.todos) filled.front().erase(todo);
+    for (const std::string& todo : expected.todos) {
+      filled.push_back(filled.back());
+      filled.back().insert(todo);
+    }
   }
-  const Target target{assignment, {part}, part.id};
   grading::ScenePlan plan;
   std::vector<std::size_t> numbers;
   for (const check::Scene& scene : expected.scenes) {
@@ -329,19 +352,21 @@ std::string madeOf(const Target& target, const fs::path& solutions) {
 void updateExpected(const Target& target, const fs::path& solutions, const fs::path& into,
                     const grading::Progress& progress) {
   report::makeFolder(into);
-  for (const Part& part : target.parts) {
-    const Target one{target.assignment, {part}, part.id};
-    const std::string key = madeOf(one, solutions);
+  const auto update = [&](const Part& part, const std::vector<Part>& parts) {
+    const std::string key = madeOf({target.assignment, parts, part.id}, solutions);
     const fs::path note = into / part.id / "made-of";
-    if (fs::exists(note) && readFile(note) == key) continue;
+    if (fs::exists(note) && readFile(note) == key) return;
     std::set<std::string> blank;
-    for (const Todo& todo : part.todos) blank.insert(todo.id);
+    for (const Part& one : parts)
+      for (const Todo& todo : one.todos) blank.insert(todo.id);
     grading::TemporaryFolder work(into);
     writeExpected(target.assignment, part, solutions, blank, work.path(), progress);
     report::writeFile(work.path() / "made-of", key);
     fs::remove_all(into / part.id);
     fs::rename(work.path(), into / part.id);
-  }
+  };
+  for (const Part& part : target.parts) update(part, {part});
+  if (target.parts.size() > 1) update(check::togetherOf(target.assignment), target.parts);
 }
 
 } // namespace ggrade::authoring

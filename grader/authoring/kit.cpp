@@ -92,7 +92,9 @@ void writeAssignment(const HandedOut& handedOut, const fs::path& kit,
   copyTree(assignment.folder, folder);
   writeSources(assignment, solutions, handedOut.filled, folder);
   for (const std::string& file : assignment.files) markDone(folder / file, handedOut.filled);
-  for (const Part& part : handedOut.parts) {
+  std::vector<Part> parts = handedOut.parts;
+  if (parts.size() > 1) parts.push_back(check::togetherOf(assignment));
+  for (const Part& part : parts) {
     const fs::path expected = kit / "expected" / part.id;
     writeExpected(assignment, part, solutions, handedOut.blank, expected, progress);
     for (const auto& entry : fs::directory_iterator(check::stubFolder(expected)))

@@ -103,6 +103,7 @@ public:
     const Begun text = begun(stubFolder(expected_.folder), folder_);
     begun_ = text.certain;
     possible_ = text.possible;
+    if (isTogether(expected_)) begun_ = {expected_.todos.front()};
     step_ = expectedStep(expected_, begun_);
     checked_.rows = notJudged();
     const fs::path program = work_ / "program";
@@ -186,14 +187,28 @@ private:
       const bool vague = text.starts_with(words("all pixels of the window have one colour"));
       (vague ? guess_ : observed_.emplace_back()) = text;
     }
-    const std::set<std::string> with = diagnosis::samplersWithTexture(trace);
-    // What has one before this part begins may have it from another part, which may not be done.
-    for (const std::string& sampler : expected_.samplers[step_])
-      if (!with.count(sampler) && !expected_.samplers[0].count(sampler))
+    const auto sampled = diagnosis::sampledTextures(trace);
+    for (const auto& [sampler, kind] : expected_.samplers[step_]) {
+      // What has one before this part begins may have it from another part, which may not be done.
+      if (expected_.samplers[0].count(sampler)) continue;
+      const auto found = sampled.find(sampler);
+      if (found == sampled.end())
         observed_.push_back(
             say("The sampler {} reads no texture: is one bound to the texture unit that it "
                 "is set to?",
                 sampler));
+      else if (found->second != kind)
+        observed_.push_back(
+            kind == diagnosis::Sampled::depth
+                ? say("The sampler {} reads colours, not depths: another texture is bound to the "
+                      "unit that it is set to. Was its unit made active (glActiveTexture) before "
+                      "yours was bound?",
+                      sampler)
+                : say("The sampler {} reads depths, not colours: another texture is bound to the "
+                      "unit that it is set to. Was its unit made active (glActiveTexture) before "
+                      "yours was bound?",
+                      sampler));
+    }
   }
 
   /// Keeps what one scene shows, if it could be drawn.
@@ -239,6 +254,16 @@ private:
           "or too much that hardly shows in the others?");
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
+    // Each effect is right, so all of them may be so in another way: no picture says that they
+    // aren't.
+    if (isTogether(expected_) && !suspect.isExplained)
+      for (Row& row : checked_.rows)
+        if (row.state == State::wrong) {
+          row.state = State::nearly;
+          checked_.cause = say("each effect is right alone; where all are drawn, does one leave a "
+                               "state, a texture unit or a framebuffer that the next one doesn't "
+                               "expect?");
+        }
     // A call that fails does nothing, whether that is seen already or not.
     if (checked_.happened.outcome == results::Outcome::glError && allRight(checked_.rows))
       for (auto row = checked_.rows.rbegin(); row != checked_.rows.rend(); ++row)

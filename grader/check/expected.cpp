@@ -1,16 +1,24 @@
 #include "check/expected.hpp"
 
 #include "report/write_file.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <ranges>
 
+namespace ggrade::diagnosis {
+
+NLOHMANN_JSON_SERIALIZE_ENUM(Sampled, {{Sampled::color, "color"}, {Sampled::depth, "depth"}})
+
+} // namespace ggrade::diagnosis
+
 namespace ggrade::check {
 
 namespace fs = std::filesystem;
 using diagnosis::Run;
+using gg::say;
 using nlohmann::json;
 
 namespace {
@@ -39,6 +47,15 @@ std::string nameOfFault(std::size_t number) {
 }
 
 } // namespace
+
+Part togetherOf(const Assignment& assignment) {
+  const std::string title = say("All effects together");
+  Part part;
+  part.id = assignment.id;
+  part.title = title;
+  part.todos = {{assignment.id, title}};
+  return part;
+}
 
 bool isDrawnAfter(const Expected& expected, std::size_t scene, std::size_t step) {
   const std::string& todo = expected.scenes[scene].todo;

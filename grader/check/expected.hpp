@@ -5,9 +5,10 @@
 
 #include "assignment/assignment.hpp"
 #include "diagnosis/match.hpp"
+#include "diagnosis/outcome.hpp"
 
 #include <filesystem>
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,8 @@ struct Expected {
   std::vector<Scene> scenes;         ///< the public one first
   diagnosis::Run reference;          ///< by scene
   std::vector<diagnosis::Run> steps; ///< by TODOs done: todos.size() + 1
-  /// Samplers that read a texture in the public scene's first frame, by TODOs done.
-  std::vector<std::set<std::string>> samplers;
+  /// What samplers read in the public scene's first frame, by TODOs done.
+  std::vector<std::map<std::string, diagnosis::Sampled>> samplers;
   /// Each in the finished program, and in the first unfinished one in which it shows.
   std::vector<Fault> faults;
   /// Of finished programs that are right and whose windows aren't the reference's, such as one with
@@ -49,6 +50,14 @@ struct Expected {
   std::vector<diagnosis::Run> others;
   std::filesystem::path folder; ///< where it was read from
 };
+
+/// All effects of an assignment of several parts in one picture, as a part whose one TODO is begun
+/// once every part is done. Its ID, and its TODO's, is the assignment's.
+Part togetherOf(const Assignment& assignment);
+inline bool isTogether(const Expected& expected) {
+  return expected.part == expected.assignment && expected.todos.size() == 1 &&
+         expected.todos.front() == expected.assignment;
+}
 
 /// Is it known what a fault of this TODO shows in a scene: the public one, or the TODO's own?
 inline bool isShownIn(const Scene& scene, const std::string& todo) {

@@ -3,6 +3,8 @@
 #include "report/text.hpp"
 #include "words/words.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace ggrade::check {
@@ -138,6 +140,7 @@ std::string stepToRead(const Looked& looked) {
     return say("every step is done; hand in what you changed in {}",
                fs::path(looked.handout).parent_path().string());
   const Todo& todo = todoOf(*looked.part, row->todo);
+  if (isTogether(*looked.expected)) return fmt::format("{}: {}", looked.handout, words(todo.title));
   return say("{}, step {}: {}", looked.handout, &todo - looked.part->todos.data() + 1,
              words(todo.title));
 }

@@ -72,6 +72,11 @@ Target chosen(const std::string& id) {
   return findTarget(folder, std::ranges::max_element(all, {}, lastSaved)->id);
 }
 
+bool isFinished(const Checked& checked) {
+  return checked.happened.ok() &&
+         std::ranges::all_of(checked.rows, [](const Row& row) { return row.state == State::done; });
+}
+
 class Command {
 public:
   explicit Command(const Options& options)
@@ -91,6 +96,12 @@ public:
         gg::addWords(wordsFile(expected / part.id));
         parts_.push_back(&part);
       }
+    // Looked at where the whole assignment is named, and a picture can show it.
+    if (target_.id == target_.assignment.id && parts_.size() > 1 &&
+        fs::exists(expected / target_.id)) {
+      together_ = togetherOf(target_.assignment);
+      expectedTogether_ = load(expected / target_.id);
+    }
     if (parts_.empty())
       throw UsageError(say("{} doesn't say what to expect of {}: is this kit whole, and is {} one "
                            "of its parts?",
@@ -163,21 +174,26 @@ private:
     report::makeFolder(work_);
     const grading::FileLock turn(work_ / "lock");
     std::vector<Looked> all;
-    for (const std::size_t i : partsToLookAt()) {
-      Looked looked;
-      looked.part = parts_[i];
-      looked.expected = &expected_[i];
-      looked.handout = handoutOf(target_.assignment, *parts_[i]);
-      looked.folder = folder_;
-      looked.checked = check(target_.assignment, expected_[i], folder_, work_);
-      if (const Row* row = rowToLookAt(looked.checked))
-        looked.places =
-            placesOf(row->todo, target_.assignment.files, stubFolder(expected_[i].folder), folder_);
-      all.push_back(std::move(looked));
-    }
+    for (const std::size_t i : partsToLookAt()) all.push_back(lookAt(*parts_[i], expected_[i]));
+    if (expectedTogether_ && all.size() == parts_.size() &&
+        std::ranges::all_of(all, [](const Looked& looked) { return isFinished(looked.checked); }))
+      all.push_back(lookAt(together_, *expectedTogether_));
     report::makeFolder(fs::absolute(out_).parent_path());
     report::writeFile(out_, page("ggrade check " + target_.id, all, options_.watch));
     looked_ = std::move(all);
+  }
+
+  Looked lookAt(const Part& part, const Expected& expected) const {
+    Looked looked;
+    looked.part = &part;
+    looked.expected = &expected;
+    looked.handout = handoutOf(target_.assignment, part);
+    looked.folder = folder_;
+    looked.checked = check(target_.assignment, expected, folder_, work_);
+    if (const Row* row = rowToLookAt(looked.checked))
+      looked.places =
+          placesOf(row->todo, target_.assignment.files, stubFolder(expected.folder), folder_);
+    return looked;
   }
 
   /// How much is told of each part: where it is wrong alone, or in a watch or where more is asked
@@ -244,6 +260,8 @@ private:
   Told told_;
   std::vector<const Part*> parts_;
   std::vector<Expected> expected_;
+  Part together_;
+  std::optional<Expected> expectedTogether_;
   std::vector<Looked> looked_;
   std::string editor_; // a command with places in it
   Beside beside_;

@@ -255,14 +255,17 @@ std::vector<std::string> stateFaults(const trace::Trace& trace) {
   return found;
 }
 
-std::set<std::string> samplersWithTexture(const trace::Trace& trace) {
-  std::set<std::string> names;
-  if (trace.frames.empty()) return names;
+std::map<std::string, Sampled> sampledTextures(const trace::Trace& trace) {
+  std::map<std::string, Sampled> textures;
+  if (trace.frames.empty()) return textures;
   for (const PassRecord& pass : trace.passesOf(0))
     for (const StepRecord& step : trace.stepsOf(pass))
       for (const trace::SampleRecord& sample : trace.samplesOf(step))
-        if (sample.image.name != 0) names.insert(sample.uniform);
-  return names;
+        if (sample.image.name != 0)
+          textures[sample.uniform] = trace::glName(sample.image.format).starts_with("DEPTH")
+                                         ? Sampled::depth
+                                         : Sampled::color;
+  return textures;
 }
 
 } // namespace ggrade::diagnosis

@@ -41,7 +41,10 @@ std::vector<std::string> tellingWarnings(const std::string& compilerOutput, std:
 /// some of them.
 std::vector<std::string> stateFaults(const trace::Trace& trace);
 
-/// Names of the samplers that read a texture in the first frame.
-std::set<std::string> samplersWithTexture(const trace::Trace& trace);
+/// What a sampler reads.
+enum class Sampled { color, depth };
+
+/// Of the samplers, by name, that read a texture in the first frame, the kind of the last one.
+std::map<std::string, Sampled> sampledTextures(const trace::Trace& trace);
 
 } // namespace ggrade::diagnosis

@@ -309,10 +309,10 @@ TEST_F(Check, WhatAnotherPartBindsIsNotMissedHere) {
   Submission light = Submission::firstSteps(4);
   light.replace("floor.cpp", "scene.light.in(mirroredView)", "scene.light.in(view)");
   json all = json::parse(kept);
-  for (json& step : all.at("samplers")) step.push_back("uOfAnotherPart");
+  for (json& step : all.at("samplers")) step["uOfAnotherPart"] = "color";
   std::ofstream(file) << all;
   EXPECT_EQ(checked(light.path()).at("cause"), "The light is not brought into the mirrored view");
-  all.at("samplers").at(0) = json::array();
+  all.at("samplers").at(0) = json::object();
   std::ofstream(file) << all;
   EXPECT_THAT(checked(light.path()).at("cause").get<std::string>(),
               HasSubstr("The sampler uOfAnotherPart reads no texture"));

@@ -164,6 +164,41 @@ TEST_P(LongCheck, IsSilentOnEveryRightAnswer) {
   }
 }
 
+/// Each effect alone is right, and all of them aren't.
+TEST(LongCheckTogether, TellsOfATextureUnitThatTwoEffectsUse) {
+  const TemporaryFolder folder;
+  const fs::path expected = folder.path() / "expected";
+  const Ended made = runTool({"expect", "floor", "--out", expected}, {}, 1700);
+  ASSERT_EQ(made.exitCode, 0) << made.errors;
+  const auto check = [&](const Submission& submission) {
+    std::string said;
+    statesOf("floor", expected, submission.path(), &said);
+    return json::parse(said);
+  };
+  const auto stateOf = [](const json& part) {
+    std::set<std::string> states;
+    for (const json& todo : part.at("todos")) states.insert(todo.at("state"));
+    return states;
+  };
+  const std::set<std::string> done{"done"};
+  const json right = check(Submission::solution());
+  ASSERT_EQ(right.size(), 4u);
+  for (const json& part : right) EXPECT_EQ(stateOf(part), done) << part.dump(1);
+  EXPECT_EQ(right.at(3).at("part"), "floor");
+
+  Submission oneUnit = Submission::solution();
+  oneUnit.replace("floor.cpp", "glActiveTexture(GL_TEXTURE1);", "glActiveTexture(GL_TEXTURE0);");
+  oneUnit.replace("floor.cpp", "program->set(\"uShadowMap\", 1);",
+                  "program->set(\"uShadowMap\", 0);");
+  const json wrong = check(oneUnit);
+  ASSERT_EQ(wrong.size(), 4u);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(stateOf(wrong.at(i)), done) << wrong.at(i).dump(1);
+  EXPECT_EQ(stateOf(wrong.at(3)), std::set<std::string>{"wrong"}) << wrong.at(3).dump(1);
+  EXPECT_THAT(wrong.at(3).at("cause").get<std::string>(),
+              testing::HasSubstr("uShadowMap reads colours, not depths"));
+  EXPECT_EQ(check(Submission::firstSteps(7)).size(), 3u) << "shadow and bloom aren't begun";
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, LongCheck,
                          testing::Values("mirror", "shadow", "bloom", "shadow_volume", "figure",
                                          "targets", "ssao"),

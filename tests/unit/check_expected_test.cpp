@@ -27,7 +27,7 @@ Expected small() {
   const diagnosis::SceneViews right = diagnosis::samples::views();
   all.reference = {right, right, right};
   all.steps = {{black, right, right}, all.reference};
-  all.samplers = {{}, {"uReflection"}};
+  all.samplers = {{}, {{"uShadowMap", diagnosis::Sampled::depth}}};
   all.faults = {{"A title", "A hint", "mirror.1", 1, {"x", "group", {black, right, {}}}}};
   all.others = {{right, black, right}};
   return all;
@@ -51,7 +51,7 @@ TEST(CheckExpected, IsReadAsItWasWritten) {
   ASSERT_EQ(all.steps.size(), 2u);
   EXPECT_NEAR(all.steps[0][0].windows[0].at(0, 0), 0, 1e-4); // 16 bits
   EXPECT_GT(all.steps[1][0].windows[0].at(0, 0), 0);
-  EXPECT_THAT(all.samplers[1], ElementsAre("uReflection"));
+  EXPECT_THAT(all.samplers[1], ElementsAre(std::pair("uShadowMap", diagnosis::Sampled::depth)));
   ASSERT_EQ(all.faults.size(), 1u);
   EXPECT_EQ(all.faults[0].hint, "A hint");
   EXPECT_EQ(all.faults[0].step, 1u);

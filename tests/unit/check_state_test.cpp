@@ -74,12 +74,18 @@ TEST(CheckState, NamesClearsThatHideEverything) {
   EXPECT_THAT(stateFaults(trace), ElementsAre(HasSubstr("cleared after the last draw")));
 }
 
-TEST(CheckState, SamplersWithATextureAreListed) {
+TEST(CheckState, SamplersAreListedWithWhatTheyRead) {
   trace::Trace trace = drawing();
   ASSERT_FALSE(trace.samples.empty());
-  EXPECT_THAT(diagnosis::samplersWithTexture(trace), ElementsAre(trace.samples[0].uniform));
+  const std::string name = trace.samples[0].uniform;
+  trace.samples[0].image.format = 0x8058; // GL_RGBA8
+  EXPECT_THAT(diagnosis::sampledTextures(trace),
+              ElementsAre(std::pair(name, diagnosis::Sampled::color)));
+  trace.samples[0].image.format = 0x81A6; // GL_DEPTH_COMPONENT24
+  EXPECT_THAT(diagnosis::sampledTextures(trace),
+              ElementsAre(std::pair(name, diagnosis::Sampled::depth)));
   trace.samples[0].image.name = 0;
-  EXPECT_THAT(diagnosis::samplersWithTexture(trace), IsEmpty());
+  EXPECT_THAT(diagnosis::sampledTextures(trace), IsEmpty());
 }
 
 } // namespace
