@@ -87,11 +87,24 @@ std::string capitalized(std::string text) {
   return text;
 }
 
-/// One look, step by step.
+/// Are all pictures of one scene the same?
+bool showsTheSame(const SceneViews& a, const SceneViews& b) {
+  return a.passes.size() == b.passes.size() &&
+         std::ranges::all_of(a.passes,
+                             [&](const diagnosis::PassView& pass) {
+                               const diagnosis::PassView* other = b.find(pass.slot);
+                               return other && diagnosis::alike(&pass.picture, &other->picture);
+                             }) &&
+         std::ranges::equal(a.windows, b.windows, [](const Image& one, const Image& two) {
+           return diagnosis::alike(&one, &two);
+         });
+}
+
 std::string doctorsPrefix() {
   return say("frame doctor: {}", "");
 }
 
+/// One look, step by step.
 class Check {
 public:
   Check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
@@ -244,6 +257,8 @@ private:
     Suspect suspect;
     if (first && !expected_.scenes[first->scene].another) {
       suspect.todo = likeliest(first->scene);
+      // Of a TODO's own scene it is known what mistakes in that one show, and no others.
+      if (suspect.todo.empty() && first->scene != 0 && shown_[0]) suspect.todo = likeliest(0);
       suspect.isExplained = !suspect.todo.empty() || !observed_.empty() || !guess_.empty() ||
                             checked_.happened.outcome == results::Outcome::glError;
     } else if (first) {
@@ -288,7 +303,7 @@ private:
 
   /// Names the known mistakes that show the same in one scene, in `cause` and `hint`: ones made
   /// just now, else ones in the finished program (whose window may be like an unfinished one's
-  /// that is right). Returns their TODO; empty: none is known.
+  /// that is right). Returns the TODO of the first; empty: none is known.
   std::string likeliest(std::size_t scene) {
     std::vector<const Fault*> faults = showingTheSame(scene, step_);
     if (faults.empty() && step_ < expected_.todos.size() && !isWindowRight(scene))
@@ -309,7 +324,7 @@ private:
   }
 
   /// The mistakes that show the same as the program, in one scene, among those in a program that
-  /// has done so many TODOs: all of the latest TODO that is begun.
+  /// has done so many TODOs: of those that are begun the ones that show last.
   std::vector<const Fault*> showingTheSame(std::size_t scene, std::size_t step) const {
     diagnosis::KnownFaults known;
     known.reference = {expected_.steps[step][scene]};
@@ -332,19 +347,28 @@ private:
     if (!found) return {};
     std::vector<std::size_t> alike = found->alike;
     alike.insert(alike.begin(), found->signature);
+    // What shows the very same goes before what is only like it.
+    const auto isExact = [&](std::size_t i) {
+      return i < faults.size() && showsTheSame(known.signatures[i].run[0], *shown_[scene]);
+    };
+    if (std::ranges::any_of(alike, isExact))
+      std::erase_if(alike, [&](std::size_t i) { return !isExact(i); });
     std::vector<const Fault*> same;
     for (const std::size_t i : alike) {
       // An unfinished program is no mistake, unless somebody has done that step already.
       if (i >= faults.size() && step != step_) return {};
       if (i < faults.size() && begun_.count(faults[i]->todo)) same.push_back(faults[i]);
     }
-    // What was done before was looked at before.
-    const auto number = [&](const Fault* fault) {
-      return std::ranges::find(expected_.todos, fault->todo) - expected_.todos.begin();
+    // What showed after an earlier step was looked at then.
+    const auto firstShown = [&](const Fault* fault) {
+      std::size_t first = fault->step;
+      for (const Fault& other : expected_.faults)
+        if (other.signature.group == fault->signature.group) first = std::min(first, other.step);
+      return first;
     };
-    std::ptrdiff_t latest = 0;
-    for (const Fault* fault : same) latest = std::max(latest, number(fault));
-    std::erase_if(same, [&](const Fault* fault) { return number(fault) != latest; });
+    std::size_t latest = 0;
+    for (const Fault* fault : same) latest = std::max(latest, firstShown(fault));
+    std::erase_if(same, [&](const Fault* fault) { return firstShown(fault) != latest; });
     // Two of one group are one mistake.
     for (std::size_t i = 0; i < same.size(); ++i)
       same.erase(std::remove_if(same.begin() + std::ptrdiff_t(i) + 1, same.end(),
