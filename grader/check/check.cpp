@@ -369,6 +369,10 @@ private:
     std::size_t latest = 0;
     for (const Fault* fault : same) latest = std::max(latest, firstShown(fault));
     std::erase_if(same, [&](const Fault* fault) { return firstShown(fault) != latest; });
+    // Of those that nothing tells apart, the latest step is the likelier one.
+    std::ranges::stable_sort(same, std::ranges::greater(), [&](const Fault* fault) {
+      return std::ranges::find(expected_.todos, fault->todo) - expected_.todos.begin();
+    });
     // Two of one group are one mistake.
     for (std::size_t i = 0; i < same.size(); ++i)
       same.erase(std::remove_if(same.begin() + std::ptrdiff_t(i) + 1, same.end(),
