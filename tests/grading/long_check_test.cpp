@@ -84,12 +84,20 @@ struct Told {
   std::vector<std::string> states;
   std::string cause;
   bool isDone = false;   ///< nothing is found
-  bool isPlaced = false; ///< the step in which it is made is the one that isn't right
+  bool isPlaced = false; ///< what isn't right is its step, or that of one with the same passes
 };
+
+/// Mistakes of one group show the very same passes.
+std::string groupOf(const ggrade::grading::Mistake& mistake) {
+  return mistake.same.empty() ? mistake.name : mistake.same;
+}
 
 Told tell(const Known& of, const ggrade::grading::Mistake& mistake, bool finished,
           const fs::path& files) {
   Told told{mistake.name, mistake.step, finished, {}, {}, true, false};
+  std::set<std::string> steps;
+  for (const ggrade::grading::Mistake& other : of.catalogue.mistakes)
+    if (groupOf(other) == groupOf(mistake)) steps.insert(other.step);
   const TemporaryFolder folder; // its page, and nobody else's work folder
   std::string said;
   told.states = statesOf(of.part().id, of.expected, files, &said);
@@ -97,7 +105,7 @@ Told tell(const Known& of, const ggrade::grading::Mistake& mistake, bool finishe
     const std::string& state = told.states[i];
     const bool isBlamed = state == "wrong" || state == "differs" || state == "nearly";
     if (state != "done" && state != "not_begun") told.isDone = false;
-    if (isBlamed && of.part().todos[i].id == mistake.step) told.isPlaced = true;
+    if (isBlamed && steps.count(of.part().todos[i].id)) told.isPlaced = true;
   }
   if (const json all = json::parse(said, nullptr, false); all.is_array() && !all.empty())
     told.cause = all.at(0).at("cause");
@@ -165,7 +173,7 @@ TEST_P(LongCheck, IsSilentOnEveryRightAnswer) {
 }
 
 /// Each effect alone is right, and all of them aren't.
-TEST(LongCheckTogether, TellsOfATextureUnitThatTwoEffectsUse) {
+TEST(LongCheckTogether, TellsOfWhatGoesWrongWhereAllEffectsAreDrawn) {
   const TemporaryFolder folder;
   const fs::path expected = folder.path() / "expected";
   const Ended made = runTool({"expect", "floor", "--out", expected}, {}, 1700);
@@ -186,15 +194,23 @@ TEST(LongCheckTogether, TellsOfATextureUnitThatTwoEffectsUse) {
   for (const json& part : right) EXPECT_EQ(stateOf(part), done) << part.dump(1);
   EXPECT_EQ(right.at(3).at("part"), "floor");
 
+  Submission alone = Submission::solution();
+  alone.replace(
+      "floor.cpp", "const bool glows = bloom && showsBloom(scene);",
+      "const bool glows = bloom && showsBloom(scene) && !scene.flag(\"effects.shadow\");");
+  const json wrong = check(alone);
+  ASSERT_EQ(wrong.size(), 4u);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(stateOf(wrong.at(i)), done) << wrong.at(i).dump(1);
+  EXPECT_EQ(stateOf(wrong.at(3)), std::set<std::string>{"wrong"}) << wrong.at(3).dump(1);
+
+  // The shadow map is where the floor's reflection is bound.
   Submission oneUnit = Submission::solution();
   oneUnit.replace("floor.cpp", "glActiveTexture(GL_TEXTURE1);", "glActiveTexture(GL_TEXTURE0);");
   oneUnit.replace("floor.cpp", "program->set(\"uShadowMap\", 1);",
                   "program->set(\"uShadowMap\", 0);");
-  const json wrong = check(oneUnit);
-  ASSERT_EQ(wrong.size(), 4u);
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(stateOf(wrong.at(i)), done) << wrong.at(i).dump(1);
-  EXPECT_EQ(stateOf(wrong.at(3)), std::set<std::string>{"wrong"}) << wrong.at(3).dump(1);
-  EXPECT_THAT(wrong.at(3).at("cause").get<std::string>(),
+  const json shadow = check(oneUnit).at(1);
+  EXPECT_EQ(shadow.at("todos").at(3).at("state"), "wrong") << shadow.dump(1);
+  EXPECT_THAT(shadow.at("cause").get<std::string>(),
               testing::HasSubstr("uShadowMap reads colours, not depths"));
   EXPECT_EQ(check(Submission::firstSteps(7)).size(), 3u) << "shadow and bloom aren't begun";
 }
