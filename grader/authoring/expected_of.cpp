@@ -26,10 +26,6 @@ using nlohmann::json;
 
 namespace {
 
-bool isTogether(const Assignment& assignment, const Part& part) {
-  return part.id == assignment.id && part.todos.size() == 1 && part.todos.front().id == part.id;
-}
-
 /// The public scene with the effects of all parts.
 std::vector<check::Scene> scenesOfAll(const Assignment& assignment, const fs::path& solutions) {
   std::vector<std::string> ids;
@@ -263,18 +259,17 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   check::Expected expected;
   expected.assignment = assignment.id;
   expected.part = part.id;
+  for (const Todo& todo : part.todos)
+    if (blank.count(todo.id) || todo.id == assignment.id) expected.todos.push_back(todo.id);
   std::vector<std::set<std::string>> filled; // by step
   Target target{assignment, {part}, part.id};
-  if (isTogether(assignment, part)) {
+  if (check::isTogether(expected)) {
     target.parts = assignment.parts;
     expected.scenes = scenesOfAll(assignment, solutions);
-    expected.todos = {part.id};
     filled = {allTodos(assignment), allTodos(assignment)};
     for (const std::string& todo : blank) filled.front().erase(todo);
   } else {
     expected.scenes = scenesOf(assignment, part, solutions, blank);
-    for (const Todo& todo : part.todos)
-      if (blank.count(todo.id)) expected.todos.push_back(todo.id);
     // What this part shows doesn't depend on the other parts' TODOs.
     filled = {allTodos(assignment)};
     for (const std::string& todo : expected.todos) filled.front().erase(todo);

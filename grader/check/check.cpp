@@ -87,6 +87,12 @@ std::string capitalized(std::string text) {
   return text;
 }
 
+bool sameWindows(const SceneViews& a, const SceneViews& b) {
+  return std::ranges::equal(a.windows, b.windows, [](const Image& one, const Image& two) {
+    return diagnosis::alike(&one, &two);
+  });
+}
+
 /// Are all pictures of one scene the same?
 bool showsTheSame(const SceneViews& a, const SceneViews& b) {
   return a.passes.size() == b.passes.size() &&
@@ -95,9 +101,7 @@ bool showsTheSame(const SceneViews& a, const SceneViews& b) {
                                const diagnosis::PassView* other = b.find(pass.slot);
                                return other && diagnosis::alike(&pass.picture, &other->picture);
                              }) &&
-         std::ranges::equal(a.windows, b.windows, [](const Image& one, const Image& two) {
-           return diagnosis::alike(&one, &two);
-         });
+         sameWindows(a, b);
 }
 
 std::string doctorsPrefix() {
@@ -296,9 +300,7 @@ private:
   }
 
   bool isWindowRight(std::size_t scene) const {
-    const auto &ours = shown_[scene]->windows, &expected = expected_.steps[step_][scene].windows;
-    return std::ranges::equal(
-        ours, expected, [](const Image& a, const Image& b) { return diagnosis::alike(&a, &b); });
+    return sameWindows(*shown_[scene], expected_.steps[step_][scene]);
   }
 
   /// Names the known mistakes that show the same in one scene, in `cause` and `hint`: ones made

@@ -73,8 +73,7 @@ Target chosen(const std::string& id) {
 }
 
 bool isFinished(const Checked& checked) {
-  return checked.happened.ok() &&
-         std::ranges::all_of(checked.rows, [](const Row& row) { return row.state == State::done; });
+  return checked.happened.ok() && doneRows(checked) == checked.rows.size();
 }
 
 class Command {

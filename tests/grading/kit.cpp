@@ -4,6 +4,9 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+#include <sstream>
+
 namespace tool {
 
 using nlohmann::json;
@@ -24,6 +27,18 @@ std::vector<std::string> statesOf(const std::string& part, const fs::path& expec
   const json all = json::parse(ended.out);
   for (const json& todo : all.at(0).at("todos")) states.push_back(todo.at("state"));
   return states;
+}
+
+void takeOutComments(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    std::istringstream lines(read(entry.path()));
+    std::string text;
+    for (std::string line; std::getline(lines, line);)
+      if (const std::size_t first = line.find_first_not_of(' ');
+          first == line.npos || line.compare(first, 2, "//") != 0)
+        text += line + '\n';
+    std::ofstream(entry.path()) << text;
+  }
 }
 
 namespace {

@@ -11,6 +11,9 @@ namespace tool {
 std::vector<std::string> statesOf(const std::string& part, const fs::path& expected,
                                   const fs::path& folder, std::string* said = nullptr);
 
+/// Takes out the lines that are comments alone.
+void takeOutComments(const fs::path& folder);
+
 /// A kit of these assignments with everything to do, as `release` made it: no solution is in it,
 /// and each step's program has the first k TODOs done and nothing else begun.
 void expectKit(const fs::path& kit, const Ended& released,

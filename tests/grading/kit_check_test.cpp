@@ -1,6 +1,6 @@
 // `ggrade check`: why a window is white or black, and every save.
 
-#include "tool.hpp"
+#include "kit.hpp"
 
 #include <gmock/gmock.h>
 
@@ -149,15 +149,7 @@ TEST_F(Check, KnowsEveryStep) {
 TEST_F(Check, KnowsEveryStepWithoutComments) {
   for (const int k : {1, 2, 4, 6, 7}) {
     const Submission submission = Submission::firstSteps(k);
-    for (const auto& entry : fs::directory_iterator(submission.path())) {
-      std::istringstream lines(read(entry.path()));
-      std::string text;
-      for (std::string line; std::getline(lines, line);)
-        if (const std::size_t first = line.find_first_not_of(' ');
-            first == line.npos || line.compare(first, 2, "//") != 0)
-          text += line + '\n';
-      std::ofstream(entry.path()) << text;
-    }
+    takeOutComments(submission.path());
     const json part = checked(submission.path());
     for (std::size_t i = 0; i < 7; ++i)
       EXPECT_EQ(part.at("todos").at(i).at("state"), i < std::size_t(k) ? "done" : "not_begun")

@@ -8,9 +8,7 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <iostream>
-#include <sstream>
 
 using namespace tool;
 using nlohmann::json;
@@ -62,19 +60,6 @@ std::string textOf(const Known& of, const ggrade::grading::Recipe& recipe, const
   std::string text;
   for (const std::string& name : names(into)) text += name + '\n' + read(into / name);
   return text;
-}
-
-/// Without lines that are comments alone.
-void takeOutComments(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    std::istringstream lines(read(entry.path()));
-    std::string text;
-    for (std::string line; std::getline(lines, line);)
-      if (const std::size_t first = line.find_first_not_of(' ');
-          first == line.npos || line.compare(first, 2, "//") != 0)
-        text += line + '\n';
-    std::ofstream(entry.path()) << text;
-  }
 }
 
 /// What is told of one mistake.

@@ -372,7 +372,8 @@ private:
       for (const auto& [name, source] : honest_)
         fs::copy(source, uploads() / name, fs::copy_options::recursive);
     run_ = runAmid(around_,
-                   {"batch", "mirror", uploads(), "--quality", "fast", "--jobs", "3", "--no-diagnosis", "--out", out()},
+                   {"batch", "mirror", uploads(), "--quality", "fast", "--jobs", "3",
+                    "--no-diagnosis", "--out", out()},
                    secret_, 1000);
   }
 
@@ -451,9 +452,9 @@ TEST(HostileNeighbours, ChangeNobodysResult) {
   fs::create_directories(uploads);
   for (const auto& [name, source] : together.honest())
     fs::copy(source, uploads / name, fs::copy_options::recursive);
-  const Ended ended =
-      runTool({"batch", "mirror", uploads, "--quality", "fast", "--jobs", "2", "--no-diagnosis", "--out", alone},
-              {{"GGRADE_CANARY", together.secret()}}, 280);
+  const Ended ended = runTool({"batch", "mirror", uploads, "--quality", "fast", "--jobs", "2",
+                               "--no-diagnosis", "--out", alone},
+                              {{"GGRADE_CANARY", together.secret()}}, 280);
   ASSERT_EQ(ended.exitCode, 0) << ended.out << ended.errors;
   for (const auto& [name, source] : together.honest())
     for (const auto& [file, text] : handedBack(alone / name))
