@@ -1,16 +1,17 @@
 #include "authoring/expected_of.hpp"
 
 #include "authoring/derive.hpp"
-#include "authoring/pass_files.hpp"
 #include "check/expected.hpp"
 #include "diagnosis/outcome.hpp"
 #include "grading/catalogue.hpp"
 #include "grading/signatures.hpp"
 #include "grading/workspace.hpp"
 #include "image/png.hpp"
+#include "report/pass_files.hpp"
 #include "report/write_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <atomic>
@@ -74,6 +75,16 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
     addOthers(todo, todo, scene);
   }
   return scenes;
+}
+
+/// handout.json's "frustum": { "shadow.2": ["uProjection", "uView"] }.
+check::Frustum frustumOf(const std::vector<std::string>& todos, const fs::path& solutions) {
+  const fs::path file = solutions / "handout.json";
+  if (!fs::exists(file)) return {};
+  const json frusta = readJson(file).value("frustum", json::object());
+  for (const auto& [todo, matrices] : frusta.items())
+    if (std::ranges::find(todos, todo) != todos.end()) return {todo, matrices, {}, {}};
+  return {};
 }
 
 std::set<std::string> allTodos(const Assignment& assignment) {
@@ -171,6 +182,7 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
                       mistake->hint,
                       mistake->step,
                       k,
+                      {},
                       {mistake->name, group, diagnosis::Run(expected.scenes.size())}});
       candidates.push_back({mistake->name,
                             group,
@@ -179,11 +191,11 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
                              finished ? std::nullopt : std::optional(filled[k])}});
     }
     std::set<std::string> visible;
-    for (std::size_t i = 0; i < expected.scenes.size(); ++i) {
+    const auto show = [&](std::size_t i, const auto& isAsked) {
       std::vector<grading::Candidate> here;
       std::vector<check::Fault*> theirs;
       for (std::size_t m = 0; m < made.size(); ++m)
-        if (check::isShownIn(expected.scenes[i], made[m].todo)) {
+        if (isAsked(made[m])) {
           here.push_back(candidates[m]);
           theirs.push_back(&made[m]);
         }
@@ -193,9 +205,23 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
         // One that can't be built at this step shows nothing.
         if (!views.windows.empty() && diagnosis::firstWrong({views}, {expected.steps[k][i]}))
           visible.insert(here[m].name);
+        theirs[m]->scenes.insert(i);
         theirs[m]->signature.run[i] = std::move(views);
       }
-    }
+    };
+    const auto isOwn = [](const check::Scene& scene, const check::Fault& fault) {
+      return !scene.another && (scene.todo.empty() || scene.todo == fault.todo);
+    };
+    for (std::size_t i = 0; i < expected.scenes.size(); ++i)
+      show(i, [&](const check::Fault& fault) { return isOwn(expected.scenes[i], fault); });
+    // What shows in none of these may do so in another TODO's.
+    const std::set<std::string> visibleThere = visible;
+    if (finished)
+      for (std::size_t i = 0; i < expected.scenes.size(); ++i)
+        show(i, [&](const check::Fault& fault) {
+          return !expected.scenes[i].another && !isOwn(expected.scenes[i], fault) &&
+                 !visibleThere.count(fault.signature.name);
+        });
     for (check::Fault& fault : made)
       if (finished || visible.count(fault.signature.name)) {
         shown.insert(fault.signature.name);
@@ -245,8 +271,13 @@ void writePictures(const Assignment& assignment, const fs::path& solutions,
                rubric::toImage(grading::rawFrames(rendering.capture).at(0)));
       if (i > 0) continue;
       expected.samplers[k] = diagnosis::sampledTextures(rendering.capture.trace);
-      if (k + 1 == filled.size())
-        writePassFiles(rendering.capture.trace, check::referenceFolder(into), true);
+      if (k + 1 < filled.size()) continue;
+      report::writePassFiles(rendering.capture.trace, check::referenceFolder(into), true);
+      if (!expected.frustum.todo.empty() &&
+          !check::takePoints(expected.frustum, rendering.capture.trace))
+        throw UsageError(fmt::format("{}: frustum: no pass draws depths alone with {}",
+                                     (solutions / "handout.json").string(),
+                                     fmt::join(expected.frustum.matrices, " and ")));
     }
   });
 }
@@ -320,6 +351,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   for (const std::string& todo : blank) handedOut.erase(todo);
   report::makeFolder(check::stubFolder(into));
   writeSources(assignment, solutions, handedOut, check::stubFolder(into));
+  expected.frustum = frustumOf(expected.todos, solutions);
   writePictures(assignment, solutions, filled, references.ownShaders, expected, into, tell);
   check::save(expected, into);
   writeWords(expected, solutions, into);

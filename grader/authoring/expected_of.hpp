@@ -12,7 +12,7 @@ namespace ggrade::authoring {
 /// of `blank` are to be done, all others are done already (of check::togetherOf all of `blank`).
 /// The public scenes come first, then those of the handout's steps that have a scene of their own,
 /// and the `others` of handout.json. Also the reference's passes there as pictures and as raw
-/// floats (see writePassFiles). Throws UsageError where a program fails.
+/// floats (see report::writePassFiles). Throws UsageError where a program fails.
 void writeExpected(const Assignment& assignment, const Part& part,
                    const std::filesystem::path& solutions, const std::set<std::string>& blank,
                    const std::filesystem::path& into, const grading::Progress& progress);

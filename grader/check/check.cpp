@@ -1,6 +1,7 @@
 #include "check/check.hpp"
 
 #include "check/begun.hpp"
+#include "check/observed.hpp"
 #include "diagnosis/generic.hpp"
 #include "diagnosis/outcome.hpp"
 #include "grading/overlay.hpp"
@@ -104,10 +105,6 @@ bool showsTheSame(const SceneViews& a, const SceneViews& b) {
          sameWindows(a, b);
 }
 
-std::string doctorsPrefix() {
-  return say("frame doctor: {}", "");
-}
-
 /// One look, step by step.
 class Check {
 public:
@@ -132,7 +129,7 @@ public:
       drawHandedOut(program);
       settleBegun();
       drawOthers(program);
-      observe(trace_);
+      observed_ = observed();
       checked_.drawn = !shown_.empty() && shown_[0].has_value();
       if (checked_.drawn) judge();
     }
@@ -156,6 +153,7 @@ private:
     checked_.messages = messagesOf(first);
     facts_ = grading::factsOf(first.capture, first.capture.trace);
     trace_ = first.capture.trace;
+    glMessages_ = first.capture.messages;
     checked_.happened = first.happened;
     if (checked_.happened.ok()) drawScenes(program, false);
   }
@@ -191,41 +189,17 @@ private:
       if (possible_.count(expected_.todos[k])) begun_.insert(expected_.todos[k]);
   }
 
-  /// What needs no picture to be told: the state that OpenGL was in, what the frame doctor found,
-  /// samplers without a texture.
-  void observe(const trace::Trace& trace) {
-    observed_ = diagnosis::stateFaults(trace);
-    const std::string doctor = doctorsPrefix();
-    const auto said = std::ranges::find_if(
-        checked_.messages, [&](const std::string& text) { return text.starts_with(doctor); });
-    // What it says after that are guesses.
-    if (said != checked_.messages.end()) {
-      const std::string text = said->substr(doctor.size());
-      const bool vague = text.starts_with(words("all pixels of the window have one colour"));
-      (vague ? guess_ : observed_.emplace_back()) = text;
-    }
-    const auto sampled = diagnosis::sampledTextures(trace);
-    for (const auto& [sampler, kind] : expected_.samplers[step_]) {
-      // What has one before this part begins may have it from another part, which may not be done.
-      if (expected_.samplers[0].count(sampler)) continue;
-      const auto found = sampled.find(sampler);
-      if (found == sampled.end())
-        observed_.push_back(
-            say("The sampler {} reads no texture: is one bound to the texture unit that it "
-                "is set to?",
-                sampler));
-      else if (found->second != kind)
-        observed_.push_back(
-            kind == diagnosis::Sampled::depth
-                ? say("The sampler {} reads colours, not depths: another texture is bound to the "
-                      "unit that it is set to. Was its unit made active (glActiveTexture) before "
-                      "yours was bound?",
-                      sampler)
-                : say("The sampler {} reads depths, not colours: another texture is bound to the "
-                      "unit that it is set to. Was its unit made active (glActiveTexture) before "
-                      "yours was bound?",
-                      sampler));
-    }
+  /// What needs no picture to be told.
+  Observed observed() const {
+    std::vector<std::string> errors, todos;
+    for (const channel::CapturedMessage& message : glMessages_)
+      // What is drawn into an incomplete framebuffer object fails where it is drawn.
+      if (message.kind == channel::MessageKind::glError &&
+          message.text.find("GL_INVALID_FRAMEBUFFER_OPERATION") == message.text.npos)
+        errors.push_back(message.text);
+    for (const Part& part : assignment_.parts)
+      for (const Todo& todo : part.todos) todos.push_back(todo.id);
+    return observe(expected_, step_, trace_, checked_.messages, errors, todos, folder_);
   }
 
   /// Keeps what one scene shows, if it could be drawn.
@@ -261,9 +235,12 @@ private:
     Suspect suspect;
     if (first && !expected_.scenes[first->scene].another) {
       suspect.todo = likeliest(first->scene);
-      // Of a TODO's own scene it is known what mistakes in that one show, and no others.
+      // Of a TODO's own scene it isn't known what all mistakes of other TODOs show.
       if (suspect.todo.empty() && first->scene != 0 && shown_[0]) suspect.todo = likeliest(0);
-      suspect.isExplained = !suspect.todo.empty() || !observed_.empty() || !guess_.empty() ||
+      if ((suspect.todo.empty() || observed_.isSure) && begun_.count(observed_.todo))
+        suspect.todo = observed_.todo;
+      suspect.isExplained = !suspect.todo.empty() || !observed_.faults.empty() ||
+                            !observed_.guess.empty() ||
                             checked_.happened.outcome == results::Outcome::glError;
     } else if (first) {
       suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one alone
@@ -284,12 +261,12 @@ private:
                                "expect?");
         }
     // A call that fails does nothing, whether that is seen already or not.
-    if (checked_.happened.outcome == results::Outcome::glError && allRight(checked_.rows))
-      for (auto row = checked_.rows.rbegin(); row != checked_.rows.rend(); ++row)
-        if (row->state == State::done) {
-          row->state = State::wrong;
-          break;
-        }
+    if (checked_.happened.outcome == results::Outcome::glError && allRight(checked_.rows)) {
+      Row* last = nullptr;
+      for (Row& row : checked_.rows)
+        if (row.state == State::done && (!last || last->todo != observed_.todo)) last = &row;
+      if (last) last->state = State::wrong;
+    }
     // Right is what the windows show, however the passes are made.
     if (allRight(checked_.rows)) {
       checked_.cause.clear();
@@ -334,7 +311,7 @@ private:
     const std::vector<diagnosis::Slot> own = ownPasses(expected_, *shown_[scene], scene);
     for (std::size_t i = 0; i < expected_.faults.size(); ++i) {
       const Fault& fault = expected_.faults[i];
-      if (fault.step != step || !isShownIn(expected_.scenes[scene], fault.todo)) continue;
+      if (fault.step != step || !fault.scenes.count(scene)) continue;
       const SceneViews views = viewsOf(expected_, i, scene);
       // One that lacks a pass of its own lacks another one for another reason.
       if (!std::ranges::all_of(own, [&](const auto& slot) { return views.find(slot); })) continue;
@@ -431,11 +408,11 @@ private:
       return;
     }
     std::vector<std::string> said; // by the program, and vaguer than a known mistake
-    if (!guess_.empty()) said.push_back(guess_);
+    if (!observed_.guess.empty()) said.push_back(observed_.guess);
     for (const std::string& message : checked_.messages)
       if (message.find(": warning: ") != message.npos) said.push_back(message);
-    checked_.isPuzzle = observed_.empty() && (!checked_.cause.empty() || said.empty());
-    std::vector<std::string> found = observed_;
+    checked_.isPuzzle = observed_.faults.empty() && (!checked_.cause.empty() || said.empty());
+    std::vector<std::string> found = observed_.faults;
     if (!checked_.cause.empty()) {
       found.push_back(checked_.cause);
       if (!checked_.hint.empty()) found.push_back(checked_.hint);
@@ -480,9 +457,9 @@ private:
   std::size_t step_ = 0; // up to which the program should be right
   std::string compilerOutput_;
   diagnosis::Facts facts_;
-  std::vector<std::string> observed_; // of the public scene, without looking at pictures
-  std::string guess_;                 // likewise, but vague: any known mistake says more
-  std::string change_;                // what turns the right picture into the wrong one
+  std::vector<channel::CapturedMessage> glMessages_; // of the public scene
+  Observed observed_;                                // likewise
+  std::string change_; // what turns the right picture into the wrong one
   Shown shown_;
   std::vector<Image> windows_; // by scene; empty: none came
   Checked checked_;

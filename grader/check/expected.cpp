@@ -97,12 +97,14 @@ void save(const Expected& expected, const fs::path& folder) {
                       {"hint", fault.hint},
                       {"todo", fault.todo},
                       {"step", fault.step},
+                      {"scenes", fault.scenes},
                       {"group", fault.signature.group}});
   report::writeFile(folder / "expected.json", json{{"assignment", expected.assignment},
                                                    {"part", expected.part},
                                                    {"todos", expected.todos},
                                                    {"scenes", scenes},
                                                    {"samplers", expected.samplers},
+                                                   {"frustum", expected.frustum},
                                                    {"others", expected.others.size()},
                                                    {"faults", faults}}
                                                   .dump(1));
@@ -129,6 +131,7 @@ Expected load(const fs::path& folder) {
     all.at("part").get_to(expected.part);
     all.at("todos").get_to(expected.todos);
     all.at("samplers").get_to(expected.samplers);
+    all.at("frustum").get_to(expected.frustum);
     for (const json& scene : all.at("scenes"))
       expected.scenes.push_back({scene.at("name"), scene.at("scene"),
                                  scene.at("times").get<std::vector<double>>(), scene.at("todo"),
@@ -147,6 +150,7 @@ Expected load(const fs::path& folder) {
                                  one.at("hint"),
                                  one.at("todo"),
                                  one.at("step"),
+                                 one.at("scenes"),
                                  {name, one.at("group"), {}}});
       if (const std::size_t step = expected.faults.back().step; step > expected.todos.size())
         throw UsageError(

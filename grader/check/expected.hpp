@@ -4,11 +4,13 @@
 /// program after each step, and of known mistakes, all of public scenes.
 
 #include "assignment/assignment.hpp"
+#include "check/frustum.hpp"
 #include "diagnosis/match.hpp"
 #include "diagnosis/outcome.hpp"
 
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,11 +30,11 @@ struct Scene {
 /// A mistake that is known by what it shows in a program that has come to some step.
 struct Fault {
   std::string title, hint;
-  std::string todo;     ///< in which it is made
-  std::size_t step = 0; ///< TODOs that the program has done, this one included
-  /// Of the public scene and of those of its TODO; of the others nothing is known. What was read
-  /// from a file has no pictures yet, see `viewsOf`.
-  diagnosis::Signature signature;
+  std::string todo;                  ///< in which it is made
+  std::size_t step = 0;              ///< TODOs that the program has done, this one included
+  std::set<std::size_t> scenes = {}; ///< in which it is known what it shows
+  /// What was read from a file has no pictures yet, see `viewsOf`.
+  diagnosis::Signature signature = {};
 };
 
 struct Expected {
@@ -43,6 +45,7 @@ struct Expected {
   std::vector<diagnosis::Run> steps; ///< by TODOs done: todos.size() + 1
   /// What samplers read in the public scene's first frame, by TODOs done.
   std::vector<std::map<std::string, diagnosis::Sampled>> samplers;
+  Frustum frustum; ///< of the public scene
   /// Each in the finished program, and in the first unfinished one in which it shows.
   std::vector<Fault> faults;
   /// Of finished programs that are right and whose windows aren't the reference's, such as one with
@@ -57,11 +60,6 @@ Part togetherOf(const Assignment& assignment);
 inline bool isTogether(const Expected& expected) {
   return expected.part == expected.assignment && expected.todos.size() == 1 &&
          expected.todos.front() == expected.assignment;
-}
-
-/// Is it known what a fault of this TODO shows in a scene: the public one, or the TODO's own?
-inline bool isShownIn(const Scene& scene, const std::string& todo) {
-  return !scene.another && (scene.todo.empty() || scene.todo == todo);
 }
 
 /// Is a scene drawn of a program that should have done so many TODOs?

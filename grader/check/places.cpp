@@ -131,6 +131,23 @@ std::vector<Place> placesOf(const std::string& todo, const std::vector<std::stri
   return places;
 }
 
+std::string todoAt(const std::string& message, const std::vector<std::string>& todos,
+                   const fs::path& stub, const fs::path& folder) {
+  static const std::regex end(R"(.*\(([^\s:/()]+):(\d{1,8})\)[^()]*)");
+  std::smatch match;
+  if (message.size() > kLongestLine || !std::regex_match(message, match, end)) return {};
+  const int line = std::stoi(match[2]);
+  std::string found;
+  int nearest = 0;
+  for (const std::string& todo : todos)
+    for (const Place& place : placesOf(todo, {match[1]}, stub, folder))
+      if (place.line <= line && place.line > nearest) {
+        nearest = place.line;
+        found = todo;
+      }
+  return found;
+}
+
 std::string withPaths(const std::string& said, const fs::path& folder) {
   std::istringstream in(said);
   std::string all;

@@ -38,6 +38,12 @@ std::optional<Problem> problemIn(const std::string& line);
 std::vector<Place> placesOf(const std::string& todo, const std::vector<std::string>& files,
                             const std::filesystem::path& stub, const std::filesystem::path& folder);
 
+/// The one of `todos` in whose place lies what a message names at its end, such as
+/// "glClear(GL_DEPTH_BUFFER_BIT) (floor.cpp:12)": the last that begins there or before. Empty: it
+/// names no place, or none begins before.
+std::string todoAt(const std::string& message, const std::vector<std::string>& todos,
+                   const std::filesystem::path& stub, const std::filesystem::path& folder);
+
 /// The line of `text` at which what was line `number` of `stub` begins: after the nearest line
 /// before it that stands in both once. Lines count from 1; nothing if no line is left.
 std::optional<int> lineNow(std::string_view stub, std::string_view text, int number);

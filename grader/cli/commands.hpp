@@ -48,10 +48,12 @@ using AddCommand = void (*)(CLI::App&);
 /// code.
 int runCommands(int argc, char** argv, const std::vector<AddCommand>& commands);
 
-// Of `ggrade`.
+// Of `ggrade-look`.
 void addList(CLI::App& app);
 void addRender(CLI::App& app);
 void addInspect(CLI::App& app);
+
+// Of `ggrade`.
 void addGrade(CLI::App& app);
 void addBatch(CLI::App& app);
 void addMerge(CLI::App& app);

@@ -68,6 +68,7 @@ struct NoSandbox : std::runtime_error {
 /// Returns if the command is none of them.
 void startElsewhere(const std::string& command, char** words) {
   constexpr std::pair<const char*, const char*> kPrograms[] = {
+      {"list", "ggrade-look"},       {"render", "ggrade-look"},      {"inspect", "ggrade-look"},
       {"compare", "ggrade-compare"}, {"calibrate", "ggrade-author"}, {"tradeoff", "ggrade-author"},
       {"derive", "ggrade-author"},   {"new", "ggrade-author"},       {"release", "ggrade-author"},
       {"expect", "ggrade-author"}};
@@ -115,7 +116,8 @@ int run(int count, char** given, const std::vector<AddCommand>& commands) {
       "  ggrade grade mirror uploads/ada --out out/ada\n"
       "  ggrade batch mirror uploads --out class\n"
       "  ggrade COMMAND --help\n\n"
-      "Also: ggrade run ID (a window), ggrade test (all tests), ggrade compare A B (two images),\n"
+      "Also: ggrade run ID (a window), ggrade list, render, inspect, ggrade test (all tests),\n"
+      "ggrade compare A B (two images),\n"
       "for authors of assignments ggrade calibrate, tradeoff, derive, new, release.\n"
       "Every command: --lang en|ja, what students read (default: by GG_LANG, else LANG).");
   app.set_version_flag("--version", versionText);

@@ -2,7 +2,5 @@
 
 int main(int argc, char** argv) {
   using namespace ggrade::cli;
-  return runCommands(
-      argc, argv,
-      {addList, addRender, addInspect, addGrade, addBatch, addMerge, addWorker, addDemo, addJudge});
+  return runCommands(argc, argv, {addGrade, addBatch, addMerge, addWorker, addDemo, addJudge});
 }

@@ -1,12 +1,12 @@
 #include "cli/commands.hpp"
 
-#include "authoring/pass_files.hpp"
 #include "cli/help.hpp"
 #include "cli/rendering.hpp"
 #include "cli/terminal.hpp"
 #include "grading/references.hpp"
 #include "grading/workspace.hpp"
 #include "image/png.hpp"
+#include "report/pass_files.hpp"
 #include "report/write_file.hpp"
 
 #include <fmt/format.h>
@@ -141,7 +141,7 @@ void render(const RenderOptions& options) {
     writePng(work.path() / fmt::format("frame-{}.png", i), rubric::toImage(frames[i]));
   const trace::Trace& passes = rendering.capture.trace;
   const json trace =
-      cli::trace(rendering, authoring::writePassFiles(passes, work.path(), options.raw));
+      cli::trace(rendering, report::writePassFiles(passes, work.path(), options.raw));
   report::writeFile(work.path() / "trace.json", trace.dump(2) + '\n');
   work.publish(out);
 

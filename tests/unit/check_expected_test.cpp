@@ -27,8 +27,9 @@ Expected small() {
   const diagnosis::SceneViews right = diagnosis::samples::views();
   all.reference = {right, right, right};
   all.steps = {{black, right, right}, all.reference};
+  all.frustum = {"mirror.1", {"uProjection", "uView"}, {{1, 2, 3}}, {0.9, 0.8, 0.5}};
   all.samplers = {{}, {{"uShadowMap", diagnosis::Sampled::depth}}};
-  all.faults = {{"A title", "A hint", "mirror.1", 1, {"x", "group", {black, right, {}}}}};
+  all.faults = {{"A title", "A hint", "mirror.1", 1, {0, 1}, {"x", "group", {black, right, {}}}}};
   all.others = {{right, black, right}};
   return all;
 }
@@ -55,6 +56,11 @@ TEST(CheckExpected, IsReadAsItWasWritten) {
   ASSERT_EQ(all.faults.size(), 1u);
   EXPECT_EQ(all.faults[0].hint, "A hint");
   EXPECT_EQ(all.faults[0].step, 1u);
+  EXPECT_THAT(all.faults[0].scenes, ElementsAre(0, 1));
+  EXPECT_EQ(all.frustum.todo, "mirror.1");
+  EXPECT_THAT(all.frustum.matrices, ElementsAre("uProjection", "uView"));
+  EXPECT_EQ(all.frustum.points.at(0)[1], 2);
+  EXPECT_EQ(all.frustum.extent[2], 0.5);
   EXPECT_EQ(all.faults[0].signature.group, "group");
   EXPECT_NEAR(viewsOf(all, 0, 0).windows[0].at(0, 0), 0, 1e-4);
   EXPECT_GT(viewsOf(all, 0, 1).windows[0].at(0, 0), 0);

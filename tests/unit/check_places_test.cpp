@@ -50,7 +50,6 @@ protected:
     return all;
   }
 
-private:
   grading::TemporaryFolder folder_;
 };
 
@@ -75,6 +74,18 @@ TEST_F(Places, OfACommentThatIsGoneAreWhereItsLinesBegin) {
   EXPECT_THAT(of("m.1"), IsEmpty());
   write("now", "m.cpp", "");
   EXPECT_THAT(of("m.1"), IsEmpty());
+}
+
+TEST_F(Places, AMessageNamesTheTodoInWhoseLinesItIs) {
+  const auto at = [&](const std::string& message) {
+    return todoAt(message, {"m.1", "m.2"}, folder_.path() / "stub", now());
+  };
+  EXPECT_EQ(at("glClear: GL_INVALID_VALUE (m.cpp:4)"), "m.1");
+  EXPECT_EQ(at("glClear: GL_INVALID_VALUE (m.cpp:6)"), "m.1");
+  EXPECT_EQ(at("frame 1: glClear() (m.cpp:9); 1 of 2 frames came"), "m.2");
+  EXPECT_EQ(at("glClear: GL_INVALID_VALUE (m.cpp:3)"), "") << "before all of them";
+  EXPECT_EQ(at("glClear: GL_INVALID_VALUE (other.cpp:9)"), "");
+  EXPECT_EQ(at("glClear(GL_COLOR_BUFFER_BIT) forgotten"), "");
 }
 
 TEST(CheckPlaces, ALineIsFoundAfterOneThatStandsOnce) {

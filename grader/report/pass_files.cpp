@@ -1,4 +1,4 @@
-#include "authoring/pass_files.hpp"
+#include "report/pass_files.hpp"
 
 #include "image/png.hpp"
 #include "report/write_file.hpp"
@@ -8,7 +8,7 @@
 
 #include <bit>
 
-namespace ggrade::authoring {
+namespace ggrade::report {
 
 namespace {
 
@@ -40,11 +40,11 @@ std::vector<trace::CopyFiles> writePassFiles(const trace::Trace& trace,
     writePng(folder / files.image, picture.rgb, PngEffort::fast);
     if (raw) {
       files.raw = name + ".f32";
-      report::writeFile(folder / files.raw, floatBytes(trace.image(copy)));
+      writeFile(folder / files.raw, floatBytes(trace.image(copy)));
     }
     all.push_back(std::move(files));
   }
   return all;
 }
 
-} // namespace ggrade::authoring
+} // namespace ggrade::report

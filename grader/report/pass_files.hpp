@@ -4,7 +4,7 @@
 
 #include "trace/trace.hpp"
 
-namespace ggrade::authoring {
+namespace ggrade::report {
 
 /// Writes a picture of every copy as `folder`/frame-F/pass-PP-ATTACHMENT.png, of one after a step
 /// as pass-PP-step-S-ATTACHMENT.png: P is the pass's index in trace.json, S the step's in its pass.
@@ -14,4 +14,4 @@ namespace ggrade::authoring {
 std::vector<trace::CopyFiles> writePassFiles(const trace::Trace& trace,
                                              const std::filesystem::path& folder, bool raw);
 
-} // namespace ggrade::authoring
+} // namespace ggrade::report

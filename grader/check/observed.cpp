@@ -1,0 +1,87 @@
+#include "check/observed.hpp"
+
+#include "check/places.hpp"
+#include "words/words.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace ggrade::check {
+
+using gg::say;
+
+namespace {
+
+/// Samplers that don't read what they read in the reference after as many TODOs.
+std::vector<std::string> samplerFaults(const Expected& expected, std::size_t step,
+                                       const trace::Trace& trace) {
+  std::vector<std::string> faults;
+  const auto sampled = diagnosis::sampledTextures(trace);
+  for (const auto& [sampler, kind] : expected.samplers[step]) {
+    // What has one before this part begins may have it from another part, which may not be done.
+    if (expected.samplers[0].count(sampler)) continue;
+    const auto found = sampled.find(sampler);
+    if (found == sampled.end())
+      faults.push_back(
+          say("The sampler {} reads no texture: is one bound to the texture unit that it "
+              "is set to?",
+              sampler));
+    else if (found->second != kind)
+      faults.push_back(
+          kind == diagnosis::Sampled::depth
+              ? say("The sampler {} reads colours, not depths: another texture is bound to the "
+                    "unit that it is set to. Was its unit made active (glActiveTexture) before "
+                    "yours was bound?",
+                    sampler)
+              : say("The sampler {} reads depths, not colours: another texture is bound to the "
+                    "unit that it is set to. Was its unit made active (glActiveTexture) before "
+                    "yours was bound?",
+                    sampler));
+  }
+  return faults;
+}
+
+/// The first TODO in whose lines one of these lies.
+std::string firstTodo(const std::vector<std::string>& texts, const std::vector<std::string>& todos,
+                      const Expected& expected, const std::filesystem::path& folder) {
+  for (const std::string& text : texts) {
+    const std::string todo = todoAt(text, todos, stubFolder(expected.folder), folder);
+    if (std::ranges::find(expected.todos, todo) != expected.todos.end()) return todo;
+  }
+  return {};
+}
+
+} // namespace
+
+std::string doctorsPrefix() {
+  return say("frame doctor: {}", "");
+}
+
+Observed observe(const Expected& expected, std::size_t step, const trace::Trace& trace,
+                 const std::vector<std::string>& messages, const std::vector<std::string>& errors,
+                 const std::vector<std::string>& todos, const std::filesystem::path& folder) {
+  Observed observed;
+  const std::string frustum = frustumFault(expected.frustum, trace);
+  if (!frustum.empty()) observed.faults.push_back(frustum);
+  for (std::string& fault : diagnosis::stateFaults(trace))
+    observed.faults.push_back(std::move(fault));
+  const std::string doctor = doctorsPrefix();
+  const auto said = std::ranges::find_if(
+      messages, [&](const std::string& text) { return text.starts_with(doctor); });
+  // What it says after that are guesses.
+  if (said != messages.end()) {
+    const std::string text = said->substr(doctor.size());
+    const bool vague = text.starts_with(gg::words("all pixels of the window have one colour"));
+    (vague ? observed.guess : observed.faults.emplace_back()) = text;
+  }
+  for (std::string& fault : samplerFaults(expected, step, trace))
+    observed.faults.push_back(std::move(fault));
+
+  observed.todo =
+      frustum.empty() ? firstTodo(errors, todos, expected, folder) : expected.frustum.todo;
+  observed.isSure = !observed.todo.empty();
+  if (observed.todo.empty()) observed.todo = firstTodo(observed.faults, todos, expected, folder);
+  return observed;
+}
+
+} // namespace ggrade::check

@@ -1,0 +1,33 @@
+#pragma once
+/// \file
+/// What a run tells without a look at its pictures: the state that OpenGL was in, what the frame
+/// doctor found, what samplers read, where the frustum lies.
+
+#include "check/expected.hpp"
+
+#include <string>
+#include <vector>
+
+namespace ggrade::check {
+
+struct Observed {
+  std::vector<std::string> faults;
+  std::string guess; ///< vague: any known mistake says more
+  /// In whose lines a fault lies; empty: that isn't known. One is sure of it, as a call that fails
+  /// at a line is, or a matrix that one TODO makes; a state is often left by another.
+  std::string todo;
+  bool isSure = false;
+};
+
+/// Before what the frame doctor says.
+std::string doctorsPrefix();
+
+/// Of the public scene.
+///   step: TODOs that the program should have done;  messages: what it and OpenGL said
+///   errors: those of OpenGL, with the lines of their calls
+///   todos: of all parts;  folder: the student's files
+Observed observe(const Expected& expected, std::size_t step, const trace::Trace& trace,
+                 const std::vector<std::string>& messages, const std::vector<std::string>& errors,
+                 const std::vector<std::string>& todos, const std::filesystem::path& folder);
+
+} // namespace ggrade::check
