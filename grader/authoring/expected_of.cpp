@@ -320,7 +320,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   };
   const grading::References references = grading::prepareReferences(target, solutions, plan, tell);
   for (const rubric::SceneFolders& scene : references.scenes)
-    expected.reference.push_back(grading::viewsIn(scene.reference));
+    expected.reference.push_back(grading::viewsIn(scene.reference, true));
   const Showing showing = [&](const std::vector<grading::Candidate>& candidates,
                               const std::vector<std::size_t>& scenes) {
     return grading::renderSignatures(
@@ -328,7 +328,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
         [&](std::size_t scene) -> const diagnosis::SceneViews& {
           return expected.reference[scene];
         },
-        tell);
+        tell, true);
   };
 
   std::vector<grading::Candidate> steps;

@@ -109,9 +109,9 @@ bool showsTheSame(const SceneViews& a, const SceneViews& b) {
 class Check {
 public:
   Check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
-        const fs::path& work)
+        const fs::path& work, const grading::Progress& progress)
       : assignment_(assignment), expected_(expected), folder_(folder), work_(work),
-        windows_(expected.scenes.size()) {}
+        progress_(progress), windows_(expected.scenes.size()) {}
 
   Checked run() {
     const Begun text = begun(stubFolder(expected_.folder), folder_);
@@ -123,6 +123,7 @@ public:
     const fs::path program = work_ / "program";
     report::makeFolder(program);
     report::makeFolder(work_ / "shaders");
+    progress_(say("building"), 0, expected_.scenes.size() + 1);
     checked_.happened = build(assignment_, folder_, program);
     compilerOutput_ = checked_.happened.output;
     if (checked_.happened.ok()) {
@@ -187,6 +188,9 @@ private:
     step_ = expectedStep(expected_, begun_);
     for (std::size_t k = 0; k < step_; ++k)
       if (possible_.count(expected_.todos[k])) begun_.insert(expected_.todos[k]);
+    // Nobody has done that of which it isn't known what to expect.
+    for (std::size_t i = 0; i < shown_.size(); ++i)
+      if (!isDrawnAfter(expected_, i, step_)) shown_[i].reset();
   }
 
   /// What needs no picture to be told.
@@ -205,13 +209,14 @@ private:
   /// Keeps what one scene shows, if it could be drawn.
   grading::Rendering drawScene(const fs::path& program, std::size_t i) {
     const Scene& scene = expected_.scenes[i];
+    progress_(say("rendering"), i + 1, expected_.scenes.size() + 1);
     grading::Rendering rendering =
         grading::renderScene(assignment_.id, program, scene.scene, scene.times, {work_ / "shaders"},
                              sandbox::Isolation::none, grading::gradingRequest(), {}, i == 0);
     const std::vector<rubric::RawFrame> frames = grading::rawFrames(rendering.capture);
     if (!frames.empty()) windows_[i] = rubric::toImage(frames.front());
     if (rendering.happened.ok())
-      shown_[i] = diagnosis::views(rubric::toImages(frames), rendering.capture.trace);
+      shown_[i] = diagnosis::views(rubric::toImages(frames), rendering.capture.trace, true);
     return rendering;
   }
 
@@ -420,6 +425,11 @@ private:
     // Beside a puzzle it stays among the messages, told at once.
     if (!checked_.isPuzzle) found.insert(found.end(), said.begin(), said.end());
     if (!change_.empty()) found.push_back(change_);
+    if (found.empty() && checked_.firstWrong) {
+      found.push_back(say("none of the known mistakes shows this picture"));
+      found.push_back(say("Put your picture beside the expected one, on the page: where do they "
+                          "differ, and since which line? Take that line out: what changes?"));
+    }
     if (found.empty()) return;
     checked_.cause = capitalized(found.front());
     checked_.hint.clear();
@@ -452,6 +462,7 @@ private:
   const Expected& expected_;
   const fs::path& folder_;
   const fs::path& work_;
+  const grading::Progress& progress_;
   std::set<std::string> begun_, possible_;
   trace::Trace trace_;   // of the public scene
   std::size_t step_ = 0; // up to which the program should be right
@@ -468,9 +479,9 @@ private:
 } // namespace
 
 Checked check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
-              const fs::path& work) {
+              const fs::path& work, const grading::Progress& progress) {
   const auto start = std::chrono::steady_clock::now();
-  Checked checked = Check(assignment, expected, folder, work).run();
+  Checked checked = Check(assignment, expected, folder, work, progress).run();
   checked.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return checked;
 }

@@ -5,6 +5,7 @@
 
 #include "check/rows.hpp"
 #include "grading/program.hpp"
+#include "grading/progress.hpp"
 
 namespace ggrade::check {
 
@@ -42,6 +43,7 @@ struct Checked {
 /// the next call: where only shaders have changed it isn't compiled again. Throws UsageError where
 /// `folder` holds no file of the assignment, and Interrupted.
 Checked check(const Assignment& assignment, const Expected& expected,
-              const std::filesystem::path& folder, const std::filesystem::path& work);
+              const std::filesystem::path& folder, const std::filesystem::path& work,
+              const grading::Progress& progress);
 
 } // namespace ggrade::check

@@ -24,6 +24,13 @@ std::string unseenBefore(const Checked& checked, const Row& row) {
   return names;
 }
 
+/// Does a picture show what it has done, or what a later TODO has, which stands on this one?
+bool isSeen(const Checked& checked, const Row& row) {
+  return row.seen || std::ranges::any_of(checked.rows, [&](const Row& later) {
+           return &later > &row && later.state == State::done && later.seen;
+         });
+}
+
 } // namespace
 
 const Row* rowToLookAt(const Checked& checked) {
@@ -72,11 +79,7 @@ std::string headline(const Checked& checked) {
 }
 
 std::string noteOf(const Checked& checked, const Row& row) {
-  // What is seen of a later TODO stands on this one.
-  const bool last = std::ranges::none_of(checked.rows, [&](const Row& later) {
-    return &later > &row && later.state == State::done && later.seen;
-  });
-  if (row.state == State::done && !row.seen && last)
+  if (row.state == State::done && !isSeen(checked, row))
     return say("as far as this scene shows: nothing of it can be seen yet");
   if (row.state == State::nearly)
     return say("a little differs that no known mistake explains: a detail, or another right way");
@@ -98,12 +101,13 @@ std::string noteOf(const Checked& checked, const Row& row) {
   return {};
 }
 
-std::string purposeOf(const Part& part, const std::string& todo) {
+std::string purposeOf(const Looked& looked, const Row& row) {
   std::string titles;
-  for (const ItemDeclaration& item : part.items)
-    if (item.step == todo && item.kind == results::ItemKind::gain)
+  for (const ItemDeclaration& item : looked.part->items)
+    if (item.step == row.todo && item.kind == results::ItemKind::gain)
       titles += (titles.empty() ? "" : "; ") + std::string(words(item.title));
-  return titles.empty() ? std::string(words(todoOf(part, todo).title)) : titles;
+  if (titles.empty()) return std::string(words(todoOf(*looked.part, row.todo).title));
+  return isSeen(looked.checked, row) ? titles : say("what it is for shows later: {}", titles);
 }
 
 std::string sceneOf(const Looked& looked, std::size_t scene) {

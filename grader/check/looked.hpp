@@ -37,8 +37,8 @@ std::string headline(const Checked& checked);
 
 /// Beside a row: what is not sure of it; often empty.
 std::string noteOf(const Checked& checked, const Row& row);
-/// What a TODO was for: the titles of the rubric's items that it earns, else its own.
-std::string purposeOf(const Part& part, const std::string& todo);
+/// What a row that is done was for: the titles of the rubric's items that it earns, else its own.
+std::string purposeOf(const Looked& looked, const Row& row);
 
 /// Which scene is spoken of; empty for the public one.
 std::string sceneOf(const Looked& looked, std::size_t scene);

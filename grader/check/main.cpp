@@ -6,6 +6,7 @@
 #include "check/page.hpp"
 #include "check/terminal.hpp"
 #include "cli/help.hpp"
+#include "cli/terminal.hpp"
 #include "grading/overlay.hpp"
 #include "grading/toolchain.hpp"
 #include "grading/workspace.hpp"
@@ -188,7 +189,11 @@ private:
     looked.expected = &expected;
     looked.handout = handoutOf(target_.assignment, part);
     looked.folder = folder_;
-    looked.checked = check(target_.assignment, expected, folder_, work_);
+    cli::Progress progress("check");
+    looked.checked = check(target_.assignment, expected, folder_, work_,
+                           [&](const std::string& what, std::size_t done, std::size_t total) {
+                             if (isatty(STDERR_FILENO) != 0) progress(what, done, total);
+                           });
     if (const Row* row = rowToLookAt(looked.checked))
       looked.places =
           placesOf(row->todo, target_.assignment.files, stubFolder(expected.folder), folder_);

@@ -44,7 +44,7 @@ json figure(const std::string& caption, const Image& image) {
 /// Of what is done; nothing where that says no more than the row.
 std::string purposeShown(const Looked& looked, const Row& row) {
   if (row.state != State::done) return {};
-  const std::string purpose = purposeOf(*looked.part, row.todo);
+  const std::string purpose = purposeOf(looked, row);
   return purpose == words(todoOf(*looked.part, row.todo).title) ? std::string() : purpose;
 }
 

@@ -71,9 +71,8 @@ std::string purposeOfLast(const Looked& looked) {
   if (next && next->state != State::waits && next->state != State::notBegun) return {};
   const auto& rows = looked.checked.rows;
   const auto last = std::ranges::find(rows.rbegin(), rows.rend(), State::done, &Row::state);
-  return last == rows.rend()
-             ? std::string()
-             : say("{} is done: {}", last->todo, purposeOf(*looked.part, last->todo)) + '\n';
+  return last == rows.rend() ? std::string()
+                             : say("{} is done: {}", last->todo, purposeOf(looked, *last)) + '\n';
 }
 
 } // namespace

@@ -99,6 +99,7 @@ bool isDrawnOver(std::span<const trace::PassRecord> passes, std::size_t pass, st
 }
 
 std::string firstOf(const Slot& slot) {
+  if (slot.stencil) return say("the stencil buffer");
   if (slot.depth && slot.mesh) return say("the depth texture that objects are drawn into");
   if (slot.mesh) return say("the texture that objects are drawn into");
   const std::string size =
@@ -162,9 +163,30 @@ std::vector<std::uint32_t> inOrder(const trace::PassRecord& pass) {
   return order;
 }
 
+/// What the stencil buffer holds at the end of the first frame; nothing where that is 0.
+std::optional<PassView> stencilView(const trace::Trace& trace) {
+  const auto passes = trace.passesOf(0);
+  for (auto pass = passes.rbegin(); pass != passes.rend(); ++pass) {
+    const trace::CopyRecord* copy = trace.copyOf(trace.indexOf(*pass), trace::kStencil);
+    if (!copy) continue;
+    Image counts = trace.image(*copy);
+    const auto values = counts.values();
+    if (std::ranges::all_of(values, [](float value) { return value == 0; })) return std::nullopt;
+    for (float& value : counts.values())
+      value = std::clamp(0.5f + (value > 127 ? value - 256 : value) / 32, 0.0f, 1.0f);
+    PassView view;
+    view.slot.stencil = true;
+    view.width = std::int32_t(copy->width);
+    view.height = std::int32_t(copy->height);
+    view.picture = reduced(counts, 1);
+    return view;
+  }
+  return std::nullopt;
+}
+
 } // namespace
 
-SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace) {
+SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace, bool stencil) {
   SceneViews views;
   for (const Image& frame : frames) views.windows.push_back(reduced(frame, 3));
   if (frames.empty()) return views;
@@ -196,6 +218,8 @@ SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace) {
                                      : reduced(pixels, std::min(pixels.channels(), 3));
       views.passes.push_back(std::move(view));
     }
+  if (stencil)
+    if (auto view = stencilView(trace)) views.passes.push_back(std::move(*view));
   return views;
 }
 

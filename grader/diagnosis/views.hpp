@@ -23,6 +23,7 @@ struct Slot {
   bool mesh = false;       ///< a mesh was drawn into it, not a full-screen quad
   std::int32_t octave = 0; ///< of quads: how often its height was halved from the window's
   std::int32_t nth = 0;    ///< among the frame's with all else equal, from 0
+  bool stencil = false;    ///< the stencil buffer at the frame's end, if it isn't all 0
 
   friend auto operator<=>(const Slot&, const Slot&) = default;
 };
@@ -30,7 +31,8 @@ struct Slot {
 /// "the depth texture that objects are drawn into", "the texture at 1/4 of the window's size".
 std::string describe(const Slot& slot);
 
-/// A pass's picture, see `reduced`. Depth is stretched as `stretchedDepth` says.
+/// A pass's picture, see `reduced`. Depth is stretched as `stretchedDepth` says; of a stencil it
+/// is 0.5 + n / 32 for a count n from -16, which is 240 in 8 bits that wrap, to 16.
 struct PassView {
   Slot slot;
   std::int32_t width = 0, height = 0; ///< as it was drawn, pixels
@@ -52,9 +54,9 @@ using Run = std::vector<SceneViews>;
 
 /// The views of what a program showed. `frames` are RGB, as many as came. Every texture that a pass
 /// of the first frame drew and that was copied becomes a PassView, sampled later or not: what a
-/// program drew and forgot to use tells as much. Throws UsageError when the trace's copies can't be
-/// read.
-SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace);
+/// program drew and forgot to use tells as much. With `stencil`, so does the stencil buffer. Throws
+/// UsageError when the trace's copies can't be read.
+SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace, bool stencil = false);
 
 /// The picture with its longer side at most `kSide`, each pixel the mean of those that it covers.
 /// Values from 0 to 1 stay, larger ones are compressed (1 + log2 v, at most 17), negative ones end

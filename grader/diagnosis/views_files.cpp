@@ -135,7 +135,7 @@ private:
 };
 
 struct PassHeader {
-  std::int32_t depth, mesh, octave, nth, width, height;
+  std::int32_t depth, mesh, octave, nth, stencil, width, height;
 };
 
 } // namespace
@@ -149,7 +149,7 @@ void save(const SceneViews& views, const SceneViews* base, const fs::path& file)
   for (const PassView& pass : views.passes) {
     const PassView* same = base ? base->find(pass.slot) : nullptr;
     out.write(PassHeader{pass.slot.depth, pass.slot.mesh, pass.slot.octave, pass.slot.nth,
-                         pass.width, pass.height});
+                         pass.slot.stencil, pass.width, pass.height});
     out.picture(pass.picture, same ? &same->picture : nullptr);
   }
   for (std::size_t i = 0; i < views.windows.size(); ++i)
@@ -165,10 +165,11 @@ SceneViews load(const fs::path& file, const SceneViews* base) {
   views.height = in.read<std::int32_t>();
   for (std::uint32_t i = 0; i < passes; ++i) {
     const auto header = in.read<PassHeader>();
-    PassView pass{{header.depth != 0, header.mesh != 0, header.octave, header.nth},
-                  header.width,
-                  header.height,
-                  {}};
+    PassView pass{
+        {header.depth != 0, header.mesh != 0, header.octave, header.nth, header.stencil != 0},
+        header.width,
+        header.height,
+        {}};
     const PassView* same = base ? base->find(pass.slot) : nullptr;
     pass.picture = in.picture(same ? &same->picture : nullptr);
     views.passes.push_back(std::move(pass));

@@ -3,6 +3,7 @@
 /// The reference's, stub's and probes' pictures, rendered once and kept.
 
 #include "grading/parallel.hpp"
+#include "grading/progress.hpp"
 #include "grading/scenes.hpp"
 #include "grading/store.hpp"
 #include "rubric/evidence.hpp"
@@ -12,9 +13,6 @@
 #include <mutex>
 
 namespace ggrade::grading {
-
-/// Called with what is being done and how far it is, for people.
-using Progress = std::function<void(const std::string& what, std::size_t done, std::size_t total)>;
 
 struct References {
   std::vector<rubric::SceneFolders> scenes; ///< all but the students' folders is filled in

@@ -13,7 +13,7 @@ using nlohmann::json;
 namespace {
 
 /// Raise it when views or their files change, so that what was kept is made again.
-constexpr int kLayout = 5;
+constexpr int kLayout = 6;
 
 /// Our own machine's fault must not be kept as if the program showed nothing.
 void requireMachine(const Happened& happened, const std::string& name) {
@@ -27,21 +27,21 @@ std::vector<Image> framesIn(const fs::path& folder) {
   return rubric::toImages(rubric::readFrames(folder));
 }
 
-diagnosis::SceneViews viewsIn(const fs::path& folder) {
-  return diagnosis::views(framesIn(folder), trace::load(folder));
+diagnosis::SceneViews viewsIn(const fs::path& folder, bool stencil) {
+  return diagnosis::views(framesIn(folder), trace::load(folder), stencil);
 }
 
 std::vector<diagnosis::Signature>
 renderSignatures(const Target& target, const fs::path& solutionFolder,
                  const std::vector<Candidate>& candidates, const std::vector<std::size_t>& scenes,
                  const References& references, const ReferenceViews& reference,
-                 const Progress& progress) {
+                 const Progress& progress, bool stencil) {
   const Assignment& assignment = target.assignment;
   const std::string solution = referenceKey(target, solutionFolder);
   const trace::Request request = gradingRequest();
   for (const std::size_t scene : scenes) reference(scene); // no thread below is the first to ask
   const auto fileOf = [&](const Candidate& candidate, std::size_t scene) {
-    std::string key = fmt::format("{} {} {} {}", kLayout, diagnosis::kSide, solution,
+    std::string key = fmt::format("{} {} {} {} {}", kLayout, diagnosis::kSide, stencil, solution,
                                   candidate.recipe.filled ? "filled" : "");
     for (const fs::path& patch : candidate.recipe.patches) key += ' ' + hashOf(readFile(patch));
     if (candidate.recipe.filled)
@@ -90,7 +90,7 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
           if (!shaders.keep.empty()) shaders = {shaders.keep};
           requireMachine(rendering.happened, candidate.name);
           seen = diagnosis::views(rubric::toImages(rawFrames(rendering.capture)),
-                                  rendering.capture.trace);
+                                  rendering.capture.trace, stencil);
         }
         const fs::path written = work.path() / "views";
         diagnosis::save(seen, &reference(scenes[i]), written);

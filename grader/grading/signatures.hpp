@@ -22,16 +22,16 @@ using ReferenceViews = std::function<const diagnosis::SceneViews&(std::size_t sc
 /// What each of the candidates shows in the scenes with these numbers, rendered in the
 /// sandbox unless it lies in the cache; an empty SceneViews where it shows nothing there. A program
 /// that can't be made any more (its patch doesn't apply) shows nothing at all: `ggrade calibrate`
-/// names it. Throws Interrupted.
+/// names it. `stencil`: see diagnosis::views. Throws Interrupted.
 std::vector<diagnosis::Signature>
 renderSignatures(const Target& target, const std::filesystem::path& solutionFolder,
                  const std::vector<Candidate>& candidates, const std::vector<std::size_t>& scenes,
                  const References& references, const ReferenceViews& reference,
-                 const Progress& progress);
+                 const Progress& progress, bool stencil = false);
 
 /// The frames in a folder (see rubric::writeFrames), RGB.
 std::vector<Image> framesIn(const std::filesystem::path& folder);
 /// What lies in a folder of frames and passes (see rubric::writeFrames, trace::save).
-diagnosis::SceneViews viewsIn(const std::filesystem::path& folder);
+diagnosis::SceneViews viewsIn(const std::filesystem::path& folder, bool stencil = false);
 
 } // namespace ggrade::grading
