@@ -1,5 +1,6 @@
 #include "authoring/derive.hpp"
 
+#include "authoring/comments.hpp"
 #include "authoring/handout.hpp"
 #include "authoring/pass_picture.hpp"
 #include "authoring/quiz.hpp"
@@ -27,10 +28,14 @@ std::set<std::string> firstTodos(const Part& part, std::size_t count) {
 }
 
 void writeSources(const Assignment& assignment, const fs::path& solutions,
-                  const std::set<std::string>& filled, const fs::path& into) {
+                  const std::set<std::string>& filled, gg::Language comments,
+                  const fs::path& into) {
+  const Translations translations =
+      comments == gg::Language::japanese ? translationsIn(solutions) : Translations();
   for (const std::string& file : assignment.files) {
     const fs::path from = solutions / file;
-    report::writeFile(into / file, withFilled(readFile(from), from.string(), filled));
+    report::writeFile(into / file,
+                      withFilled(translated(readFile(from), translations), from.string(), filled));
   }
 }
 
@@ -201,10 +206,10 @@ void writeCharts(const fs::path& adopted, const json& figures, const fs::path& i
 
 } // namespace
 
-void deriveInto(const Assignment& assignment, const fs::path& solutions, const fs::path& into,
-                const grading::Progress& pictures) {
+void deriveInto(const Assignment& assignment, const fs::path& solutions, gg::Language comments,
+                const fs::path& into, const grading::Progress& pictures) {
   report::makeFolder(into / "handout");
-  writeSources(assignment, solutions, {}, into);
+  writeSources(assignment, solutions, {}, comments, into);
   const json figures = writeMeasured(solutions / "tradeoff", into);
   if (fs::exists(solutions / "handout.md")) {
     const gg::Language chosen = gg::language();
