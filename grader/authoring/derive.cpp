@@ -27,11 +27,18 @@ std::set<std::string> firstTodos(const Part& part, std::size_t count) {
   return filled;
 }
 
+namespace {
+
+Translations translationsFor(gg::Language language, const fs::path& solutions) {
+  return language == gg::Language::japanese ? translationsIn(solutions) : Translations();
+}
+
+} // namespace
+
 void writeSources(const Assignment& assignment, const fs::path& solutions,
                   const std::set<std::string>& filled, gg::Language comments,
                   const fs::path& into) {
-  const Translations translations =
-      comments == gg::Language::japanese ? translationsIn(solutions) : Translations();
+  const Translations translations = translationsFor(comments, solutions);
   for (const std::string& file : assignment.files) {
     const fs::path from = solutions / file;
     report::writeFile(into / file,
@@ -173,8 +180,9 @@ std::string writeQuiz(const Part& part, const fs::path& solutions, const Written
 /// and a part's ends with one to its quiz.
 void writeTexts(const Assignment& assignment, const fs::path& solutions, const json& figures,
                 const Written& written, const fs::path& into) {
+  const Translations translations = translationsFor(written.language, solutions);
   const auto stub = [&](const std::string& file) {
-    return withFilled(readFile(solutions / file), file, {});
+    return withFilled(translated(readFile(solutions / file), translations), file, {});
   };
   const auto measured = [&](const std::string& part) {
     return figures.empty() ? "" : tradeoff::handoutText(figures, part);
