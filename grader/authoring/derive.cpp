@@ -1,5 +1,6 @@
 #include "authoring/derive.hpp"
 
+#include "authoring/comments.hpp"
 #include "authoring/handout.hpp"
 #include "authoring/pass_picture.hpp"
 #include "authoring/quiz.hpp"
@@ -26,11 +27,22 @@ std::set<std::string> firstTodos(const Part& part, std::size_t count) {
   return filled;
 }
 
+namespace {
+
+Translations translationsFor(gg::Language language, const fs::path& solutions) {
+  return language == gg::Language::japanese ? translationsIn(solutions) : Translations();
+}
+
+} // namespace
+
 void writeSources(const Assignment& assignment, const fs::path& solutions,
-                  const std::set<std::string>& filled, const fs::path& into) {
+                  const std::set<std::string>& filled, gg::Language comments,
+                  const fs::path& into) {
+  const Translations translations = translationsFor(comments, solutions);
   for (const std::string& file : assignment.files) {
     const fs::path from = solutions / file;
-    report::writeFile(into / file, withFilled(readFile(from), from.string(), filled));
+    report::writeFile(into / file,
+                      withFilled(translated(readFile(from), translations), from.string(), filled));
   }
 }
 
@@ -168,8 +180,9 @@ std::string writeQuiz(const Part& part, const fs::path& solutions, const Written
 /// and a part's ends with one to its quiz.
 void writeTexts(const Assignment& assignment, const fs::path& solutions, const json& figures,
                 const Written& written, const fs::path& into) {
+  const Translations translations = translationsFor(written.language, solutions);
   const auto stub = [&](const std::string& file) {
-    return withFilled(readFile(solutions / file), file, {});
+    return withFilled(translated(readFile(solutions / file), translations), file, {});
   };
   const auto measured = [&](const std::string& part) {
     return figures.empty() ? "" : tradeoff::handoutText(figures, part);
@@ -201,10 +214,10 @@ void writeCharts(const fs::path& adopted, const json& figures, const fs::path& i
 
 } // namespace
 
-void deriveInto(const Assignment& assignment, const fs::path& solutions, const fs::path& into,
-                const grading::Progress& pictures) {
+void deriveInto(const Assignment& assignment, const fs::path& solutions, gg::Language comments,
+                const fs::path& into, const grading::Progress& pictures) {
   report::makeFolder(into / "handout");
-  writeSources(assignment, solutions, {}, into);
+  writeSources(assignment, solutions, {}, comments, into);
   const json figures = writeMeasured(solutions / "tradeoff", into);
   if (fs::exists(solutions / "handout.md")) {
     const gg::Language chosen = gg::language();

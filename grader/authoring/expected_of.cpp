@@ -350,7 +350,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
   std::set<std::string> handedOut = allTodos(assignment);
   for (const std::string& todo : blank) handedOut.erase(todo);
   report::makeFolder(check::stubFolder(into));
-  writeSources(assignment, solutions, handedOut, check::stubFolder(into));
+  writeSources(assignment, solutions, handedOut, gg::Language::english, check::stubFolder(into));
   expected.frustum = frustumOf(expected.todos, solutions);
   writePictures(assignment, solutions, filled, references.ownShaders, expected, into, tell);
   check::save(expected, into);

@@ -84,21 +84,22 @@ void markDone(const fs::path& file, const std::set<std::string>& filled) {
   if (changed) report::writeFile(file, text);
 }
 
-void writeAssignment(const HandedOut& handedOut, const fs::path& kit,
+void writeAssignment(const HandedOut& handedOut, gg::Language comments, const fs::path& kit,
                      const grading::Progress& progress) {
   const Assignment& assignment = handedOut.assignment;
   const fs::path solutions = kRoot / "solutions" / assignment.id;
   const fs::path folder = kit / "assignments" / assignment.id;
   copyTree(assignment.folder, folder);
-  writeSources(assignment, solutions, handedOut.filled, folder);
+  writeSources(assignment, solutions, handedOut.filled, comments, folder);
   for (const std::string& file : assignment.files) markDone(folder / file, handedOut.filled);
   std::vector<Part> parts = handedOut.parts;
   if (parts.size() > 1) parts.push_back(check::togetherOf(assignment));
   for (const Part& part : parts) {
     const fs::path expected = kit / "expected" / part.id;
     writeExpected(assignment, part, solutions, handedOut.blank, expected, progress);
-    for (const auto& entry : fs::directory_iterator(check::stubFolder(expected)))
-      markDone(entry.path(), handedOut.filled);
+    for (const std::string& file : assignment.files)
+      fs::copy_file(folder / file, check::stubFolder(expected) / file,
+                    fs::copy_options::overwrite_existing);
   }
 }
 
@@ -116,7 +117,8 @@ void writeKit(const KitOptions& options, const fs::path& kit, const grading::Pro
   for (const char* name : {"README.md", "README.ja.md"}) fs::copy_file(texts / name, kit / name);
   copyTree(texts / "vscode", kit / ".vscode");
   if (options.devcontainer) copyTree(texts / "devcontainer", kit / ".devcontainer");
-  for (const HandedOut& handedOut : choose(options)) writeAssignment(handedOut, kit, progress);
+  for (const HandedOut& handedOut : choose(options))
+    writeAssignment(handedOut, options.language, kit, progress);
 }
 
 bool writeQuizzes(const KitOptions& options, const fs::path& folder) {

@@ -13,7 +13,7 @@ namespace ggrade::authoring {
 struct KitOptions {
   std::vector<std::string> parts, blank; ///< as `release` takes them
   bool devcontainer = false;
-  gg::Language language = gg::Language::english; ///< of an autograder's reports
+  gg::Language language = gg::Language::english; ///< of comments, of an autograder's reports
 };
 
 /// What a kit hands out of one assignment.

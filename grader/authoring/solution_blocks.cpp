@@ -16,8 +16,12 @@ struct Line {
   bool marker = false;
 };
 
-std::vector<Line> parse(std::string_view text, const std::string& file) {
+const std::regex& marker() {
   static const std::regex kMarker(R"(\s*//\s*(BEGIN|END) SOLUTION\(([a-z0-9_]+\.[0-9]+)\)\s*)");
+  return kMarker;
+}
+
+std::vector<Line> parse(std::string_view text, const std::string& file) {
   std::vector<Line> lines;
   std::string open;
   std::size_t openedAt = 0;
@@ -28,7 +32,7 @@ std::vector<Line> parse(std::string_view text, const std::string& file) {
     start = end + 1;
     const std::size_t number = lines.size() + 1;
     std::smatch match;
-    if (!std::regex_match(line, match, kMarker)) {
+    if (!std::regex_match(line, match, marker())) {
       lines.push_back({line, open, false});
       continue;
     }
@@ -53,6 +57,10 @@ std::vector<Line> parse(std::string_view text, const std::string& file) {
 }
 
 } // namespace
+
+bool isBlockMarker(const std::string& line) {
+  return std::regex_match(line, marker());
+}
 
 std::string withFilled(std::string_view text, const std::string& file,
                        const std::set<std::string>& filled) {

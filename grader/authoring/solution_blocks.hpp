@@ -12,6 +12,9 @@
 
 namespace ggrade::authoring {
 
+/// Does a block begin or end in this line?
+bool isBlockMarker(const std::string& line);
+
 /// The text with the blocks of `filled` kept and all others taken out; no marker stays. Where a
 /// block goes, two blank lines that meet become one. Throws UsageError as `file:line: ...` for a
 /// block that is not closed, closed twice or nested.

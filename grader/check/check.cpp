@@ -17,6 +17,7 @@
 
 #include <chrono>
 #include <sstream>
+#include <utility>
 
 namespace ggrade::check {
 
@@ -105,6 +106,26 @@ bool showsTheSame(const SceneViews& a, const SceneViews& b) {
          sameWindows(a, b);
 }
 
+/// Of files that a compiler may misread: the second byte of some characters of Shift_JIS is a
+/// backslash, which joins two lines. Names all, after the place of the first; empty: there are
+/// none.
+std::string wrongEncoding(const Assignment& assignment, const fs::path& folder) {
+  std::string message, separator = ": ";
+  for (const std::string& name : grading::ownFiles(assignment, folder)) {
+    const std::string text = readFile(folder / name);
+    const std::size_t valid = report::validUtf8(text);
+    if (valid == text.size()) continue;
+    if (message.empty())
+      message = say(
+          "{}:{}: warning: this file is not UTF-8; it may be Shift_JIS, of which some characters "
+          "swallow the next line when they end a comment. Save it as UTF-8 (in Visual Studio "
+          "Code: the encoding at the bottom right, then \"Save with Encoding\")",
+          name, 1 + std::ranges::count(text.substr(0, valid), '\n'));
+    message += std::exchange(separator, ", ") + name;
+  }
+  return message;
+}
+
 /// One look, step by step.
 class Check {
 public:
@@ -135,6 +156,8 @@ public:
       if (checked_.drawn) judge();
     }
     outcome();
+    if (std::string text = wrongEncoding(assignment_, folder_); !text.empty())
+      checked_.messages.push_back(std::move(text));
     showWindows();
     return std::move(checked_);
   }

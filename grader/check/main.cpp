@@ -15,9 +15,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <cstdio>
+#include <exception>
 #include <map>
 #include <optional>
+#include <thread>
 
 #include <unistd.h>
 
@@ -29,6 +32,9 @@ using gg::say;
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{100};
+/// Files that are being saved are waited for so long, and looked at so often.
+constexpr std::chrono::milliseconds kQuiet{300}, kLongestSave{3000};
+constexpr int kMostLooks = 4;
 constexpr int kRight = 0, kWrong = 1, kUsage = 2, kInterrupted = 130;
 
 struct Options {
@@ -36,23 +42,44 @@ struct Options {
   bool watch = false, hint = false, json = false, open = false;
 };
 
-using Saved = std::map<std::string, fs::file_time_type>;
+using Saved = std::map<std::string, std::pair<fs::file_time_type, std::uintmax_t>>;
 
-/// When the files that count were saved.
+/// When the files that count were saved, and how large they are.
 Saved savedIn(const Assignment& assignment, const fs::path& folder) {
   Saved saved;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (grading::takes(assignment, entry.path().filename().string()))
-      saved[entry.path().filename().string()] = entry.last_write_time(error);
+      saved[entry.path().filename().string()] = {entry.last_write_time(error),
+                                                 entry.file_size(error)};
+  return saved;
+}
+
+/// Waits until nothing has been saved for a moment.
+Saved savedAtRest(const Assignment& assignment, const fs::path& folder) {
+  Saved saved = savedIn(assignment, folder);
+  for (auto waited = std::chrono::milliseconds(0); waited < kLongestSave && !grading::interrupted;
+       waited += kQuiet) {
+    std::this_thread::sleep_for(kQuiet);
+    Saved now = savedIn(assignment, folder);
+    if (now == saved) break;
+    saved = std::move(now);
+  }
   return saved;
 }
 
 fs::file_time_type lastSaved(const Assignment& assignment) {
   fs::file_time_type last = fs::file_time_type::min();
-  for (const auto& [name, time] : savedIn(assignment, assignment.folder))
-    last = std::max(last, time);
+  for (const auto& [name, saved] : savedIn(assignment, assignment.folder))
+    last = std::max(last, saved.first);
   return last;
+}
+
+/// Makes the folder if it isn't there.
+bool canWriteIn(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  return access(folder.c_str(), W_OK) == 0;
 }
 
 /// The text of a part's steps, in the chosen language.
@@ -128,7 +155,6 @@ public:
                    fs::absolute(out_).string()));
     Keys keys;
     for (bool more = options_.hint; !grading::interrupted; more = false) {
-      const Saved saved = savedIn(target_.assignment, folder_);
       try {
         // Editors take this line and the page's name for begin and end of a look.
         if (!options_.json) fmt::print("{}\n", say("ggrade: looking at {} ...", folder_.string()));
@@ -140,7 +166,7 @@ public:
       } catch (const UsageError& error) { // a file may be missing while it is being saved
         fmt::print(stderr, "ggrade: {}\n", error.what());
       }
-      while (!grading::interrupted && savedIn(target_.assignment, folder_) == saved) {
+      while (!grading::interrupted && savedIn(target_.assignment, folder_) == saved_) {
         if (keys.next(kBetweenLooks) == 'h') {
           tell(true);
           printWatched(keys);
@@ -168,17 +194,47 @@ private:
     return begunOnes.empty() ? std::vector<std::size_t>{0} : begunOnes;
   }
 
-  /// Checks once and writes the page.
+  /// Checks and writes the page. What is saved meanwhile would be half in what is told, or half
+  /// written: it is looked at again.
   void look() {
+    saved_ = savedIn(target_.assignment, folder_);
+    if (!canWriteIn(work_))
+      throw UsageError(say("check builds in {}, where you may not write. Copy the whole folder "
+                           "{} to one of your own, and call the ggrade there",
+                           work_.string(), toolchain::kSourceFolder));
+    if (const fs::path pages = fs::absolute(out_).parent_path(); !canWriteIn(pages))
+      throw UsageError(say("check writes its page to {}, where you may not write: name another "
+                           "file for it with --out",
+                           pages.string()));
     // Two looks at once, such as a watch's and somebody's own, would build in one place.
-    report::makeFolder(work_);
     const grading::FileLock turn(work_ / "lock");
+    saved_ = savedIn(target_.assignment, folder_);
+    for (int looks = 1;; ++looks) {
+      std::exception_ptr failure; // a file may be missing while it is being saved
+      try {
+        lookOnce();
+      } catch (const std::exception&) {
+        failure = std::current_exception();
+      }
+      const bool isSame = savedIn(target_.assignment, folder_) == saved_;
+      if (failure && (isSame || looks == kMostLooks)) std::rethrow_exception(failure);
+      if (isSame || grading::interrupted) return;
+      fmt::print(stderr, "{}\n",
+                 looks < kMostLooks
+                     ? say("ggrade: files were saved meanwhile; looking again")
+                     : say("ggrade: files are being saved all the time; what is told may be of "
+                           "several states of them: look again when they are at rest"));
+      if (looks == kMostLooks) return;
+      saved_ = savedAtRest(target_.assignment, folder_);
+    }
+  }
+
+  void lookOnce() {
     std::vector<Looked> all;
     for (const std::size_t i : partsToLookAt()) all.push_back(lookAt(*parts_[i], expected_[i]));
     if (expectedTogether_ && all.size() == parts_.size() &&
         std::ranges::all_of(all, [](const Looked& looked) { return isFinished(looked.checked); }))
       all.push_back(lookAt(together_, *expectedTogether_));
-    report::makeFolder(fs::absolute(out_).parent_path());
     report::writeFile(out_, page("ggrade check " + target_.id, all, options_.watch));
     looked_ = std::move(all);
   }
@@ -267,6 +323,7 @@ private:
   Part together_;
   std::optional<Expected> expectedTogether_;
   std::vector<Looked> looked_;
+  Saved saved_;        // what was looked at last
   std::string editor_; // a command with places in it
   Beside beside_;
   std::string opened_; // the TODO at which it was opened last

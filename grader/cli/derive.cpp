@@ -1,4 +1,5 @@
 #include "authoring/derive.hpp"
+#include "authoring/comments.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
 #include "report/write_file.hpp"
@@ -21,6 +22,8 @@ void derive(const DeriveOptions& options) {
   const Target target = findTarget(assignmentsFolder(), options.id);
   const Assignment& assignment = target.assignment;
   const fs::path solutions = solutionFolder(assignment.id);
+  // What lies in assignments/ is English, whoever derives it.
+  const gg::Language comments = options.out.empty() ? gg::Language::english : gg::language();
   if (options.done >= 0) {
     if (target.parts.size() != 1)
       throw UsageError(fmt::format(
@@ -32,15 +35,18 @@ void derive(const DeriveOptions& options) {
     if (options.out.empty()) throw UsageError("--done needs --out: name the folder for the files");
     report::makeFolder(options.out);
     authoring::writeSources(assignment, solutions,
-                            authoring::firstTodos(part, std::size_t(options.done)), options.out);
+                            authoring::firstTodos(part, std::size_t(options.done)), comments,
+                            options.out);
     return;
   }
   const fs::path into = options.out.empty() ? assignment.folder : fs::path(options.out);
   Progress progress("handout pictures of " + assignment.id);
   grading::Progress pictures;
   if (!options.noPictures) pictures = std::ref(progress);
-  authoring::deriveInto(assignment, solutions, into, pictures);
+  authoring::deriveInto(assignment, solutions, comments, into, pictures);
   progress.clear();
+  for (const std::string& text : authoring::outOfStep(assignment, solutions))
+    fmt::print("{}\n", text);
   fmt::print("{}: stub and handout are in step with {}\n", into.string(), solutions.string());
 }
 
@@ -61,7 +67,9 @@ void addDerive(CLI::App& app) {
   command->footer(
       "Examples:\n"
       "  ggrade derive floor                          after every change of solutions/floor\n"
-      "  ggrade derive mirror --done 3 --out out/step3");
+      "  ggrade derive mirror --done 3 --out out/step3\n"
+      "  ggrade derive floor --lang ja --out out/ja   the stub's comments in Japanese\n"
+      "What lies in assignments/ has English comments.");
   command->callback([options] { derive(*options); });
 }
 

@@ -65,8 +65,8 @@ void make(const std::string& id, const std::string& title) {
   const Side solution("solutions", id, title), assignment("assignments", id, title);
   {
     Progress progress("handout pictures of " + id);
-    authoring::deriveInto(Assignment::load(assignment.made()), solution.made(), assignment.made(),
-                          std::ref(progress));
+    authoring::deriveInto(Assignment::load(assignment.made()), solution.made(),
+                          gg::Language::english, assignment.made(), std::ref(progress));
   }
   if (grading::interrupted) throw grading::Interrupted{};
   solution.publish();

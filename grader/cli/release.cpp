@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 
+#include "authoring/comments.hpp"
 #include "authoring/expected_of.hpp"
 #include "authoring/kit.hpp"
 #include "authoring/zip.hpp"
@@ -31,6 +32,18 @@ std::string listOf(const std::vector<authoring::HandedOut>& all) {
   return text;
 }
 
+/// Comments that a kit in Japanese has in English.
+std::string lackingComments(const ReleaseOptions& options,
+                            const std::vector<authoring::HandedOut>& all) {
+  std::string text;
+  if (options.language == gg::Language::english) return text;
+  for (const authoring::HandedOut& one : all)
+    for (const std::string& sentence :
+         authoring::outOfStep(one.assignment, solutionFolder(one.assignment.id)))
+      text += "  " + sentence + '\n';
+  return text;
+}
+
 void release(const ReleaseOptions& options) {
   const fs::path out = outputFolder(options.out);
   fs::path zip = out, quizzes = out;
@@ -59,7 +72,7 @@ void release(const ReleaseOptions& options) {
         "  grades {}; it holds the solution: upload it as the autograder, hand it to nobody\n",
         authoring::graded(options));
   else
-    fmt::print("{}", listOf(chosen));
+    fmt::print("{}{}", listOf(chosen), lackingComments(options, chosen));
   if (asks)
     fmt::print("{}\n  the quizzes with their answers, and as GIFT for Moodle: not for students\n",
                quizzes.string());
@@ -97,6 +110,7 @@ void addRelease(CLI::App& app) {
       "  ggrade release --parts mirror,shadow,bloom --out out/floor\n"
       "  ggrade release --parts shadow --out out/week2          the mirror comes filled in\n"
       "  ggrade release --blank mirror.4,mirror.5 --out out/short\n"
+      "  ggrade release --lang ja --out out/kit-ja              comments in Japanese\n"
       "  ggrade release --gradescope --parts mirror --out out/autograder");
   command->callback([options] {
     options->language = gg::language();

@@ -59,6 +59,24 @@ TEST(Language, AStudentsPageIsJapaneseWithTheSameScores) {
   EXPECT_EQ(diagnosis(english).at("confidence"), diagnosis(japanese).at("confidence"));
 }
 
+/// Of programs with the first five TODOs, whose comments are in one language or the other.
+TEST(Language, OfCommentsIsWorthNothing) {
+  std::vector<nlohmann::json> scores;
+  for (const std::string language : {"en", "ja"}) {
+    const TemporaryFolder step;
+    ASSERT_EQ(runTool({"derive", "mirror", "--done", "5", "--lang", language, "--out", step.path()})
+                  .exitCode,
+              0);
+    EXPECT_EQ(read(step.path() / "floor.cpp").find("Given:") == std::string::npos,
+              language == "ja");
+    const Graded graded = gradeByTool(step.path());
+    EXPECT_EQ(graded.outcome(), "graded");
+    nlohmann::json& items = scores.emplace_back();
+    for (const auto& test : graded.results.at("tests")) items.push_back(test.at("score"));
+  }
+  EXPECT_EQ(scores.at(0), scores.at(1));
+}
+
 TEST(Language, AnotherOneIsAUsageError) {
   const Ended other = runTool({"list", "--lang", "de"});
   EXPECT_EQ(other.exitCode, 2);

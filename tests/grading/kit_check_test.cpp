@@ -1,6 +1,6 @@
 // `ggrade check`: why a window is white or black, and every save.
 
-#include "kit.hpp"
+#include "kit_check.hpp"
 
 #include <gmock/gmock.h>
 
@@ -18,40 +18,6 @@ using testing::HasSubstr;
 using testing::Not;
 
 namespace {
-
-/// What to expect of part mirror, made once for all tests.
-class Check : public testing::Test {
-protected:
-  static void SetUpTestSuite() {
-    made_ = std::make_unique<TemporaryFolder>();
-    const Ended ended = runTool({"expect", "mirror", "--out", made_->path()}, {}, 900);
-    ASSERT_EQ(ended.exitCode, 0) << ended.errors;
-  }
-  static void TearDownTestSuite() { made_.reset(); }
-  static fs::path expected() { return made_->path(); }
-
-  Arguments command(const fs::path& files, const Arguments& more = {}) const {
-    Arguments all = {kBuild / "bin/ggrade-check",
-                     "mirror",
-                     "--expected",
-                     expected(),
-                     "--folder",
-                     files,
-                     "--out",
-                     folder_.path() / "check.html"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
-  }
-
-  json checked(const fs::path& files) const {
-    const Ended ended = Running(command(files, {"--json"})).wait(100);
-    EXPECT_NE(ended.out, "") << ended.errors;
-    return ended.out.empty() ? json() : json::parse(ended.out).at(0);
-  }
-
-  static inline std::unique_ptr<TemporaryFolder> made_;
-  TemporaryFolder folder_;
-};
 
 /// A line that begins with a file's place. Paths are from the folder where `check` runs, which may
 /// be the root.
@@ -155,6 +121,29 @@ TEST_F(Check, KnowsEveryStepWithoutComments) {
       EXPECT_EQ(part.at("todos").at(i).at("state"), i < std::size_t(k) ? "done" : "not_begun")
           << "after step " << k << ": " << part.dump(1);
   }
+}
+
+/// Comments in Japanese are read as those in English are, whichever of them the kit handed out.
+TEST_F(Check, KnowsAStepWhoseCommentsAreJapanese) {
+  const TemporaryFolder handedOut, step;
+  for (const auto& [todos, folder] : {std::pair("0", &handedOut), std::pair("4", &step)})
+    ASSERT_EQ(
+        runTool({"derive", "mirror", "--done", todos, "--lang", "ja", "--out", folder->path()})
+            .exitCode,
+        0);
+  ASSERT_THAT(read(step.path() / "floor.cpp"), HasSubstr("// TODO(mirror.5): 鏡では"));
+  const TemporaryFolder japanese;
+  fs::copy(expected(), japanese.path(), fs::copy_options::recursive);
+  fs::copy(handedOut.path(), japanese.path() / "mirror/handed_out",
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  const std::vector<std::string> untouched(7, "not_begun");
+  std::vector<std::string> four = untouched;
+  std::fill_n(four.begin(), 4, "done");
+  for (const fs::path& kit : {expected(), japanese.path()}) {
+    EXPECT_EQ(statesOf("mirror", kit, handedOut.path()), untouched) << kit;
+    EXPECT_EQ(statesOf("mirror", kit, step.path()), four) << kit;
+  }
+  EXPECT_EQ(statesOf("mirror", japanese.path(), Submission::firstSteps(4).path()), four);
 }
 
 TEST_F(Check, NamesWhyAWindowIsWhiteOrBlack) {

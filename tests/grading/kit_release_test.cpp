@@ -24,7 +24,7 @@ protected:
     ASSERT_EQ(released_.exitCode, 0) << released_.errors;
   }
   static void TearDownTestSuite() { made_.reset(); }
-  static fs::path kit() { return made_->path() / "kit"; }
+  static fs::path kit() { return made_->path() / "グラフィックス 演習"; }
 
   static inline std::unique_ptr<TemporaryFolder> made_;
   static inline Ended released_;
@@ -43,11 +43,13 @@ TEST_F(Kit, BuildsAndChecksOnItsOwn) {
       kit(), {{"CMAKE_CXX_COMPILER_LAUNCHER", launcher}, {"CMAKE_C_COMPILER_LAUNCHER", launcher}});
 }
 
+/// In a kit whose comments are Japanese.
 TEST(Release, TodosThatAreNotNamedComeFilledIn) {
   const TemporaryFolder folder;
   const fs::path kit = folder.path() / "kit";
-  const Ended ended =
-      runTool({"release", "--blank", "mirror.4,mirror.5", "--devcontainer", "--out", kit}, {}, 600);
+  const Ended ended = runTool(
+      {"release", "--blank", "mirror.4,mirror.5", "--devcontainer", "--lang", "ja", "--out", kit},
+      {}, 600);
   ASSERT_EQ(ended.exitCode, 0) << ended.errors;
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("to do mirror.4, mirror.5"), HasSubstr("comes filled in")));
@@ -62,6 +64,10 @@ TEST(Release, TodosThatAreNotNamedComeFilledIn) {
   EXPECT_THAT(program, Not(HasSubstr("TODO(mirror.2)")));
   EXPECT_THAT(program, HasSubstr("glBindFramebuffer(GL_FRAMEBUFFER, reflection.framebuffer);"));
   EXPECT_THAT(program, Not(HasSubstr("mirroredView")));
+  EXPECT_THAT(program,
+              AllOf(HasSubstr("// TODO(mirror.4): y = 0の平面での物体の鏡像を描画する。\n"),
+                    Not(HasSubstr("Given:"))));
+  EXPECT_EQ(read(kit / "expected/mirror/handed_out/floor.cpp"), program);
   EXPECT_TRUE(fs::exists(kit / ".devcontainer/devcontainer.json"));
   EXPECT_TRUE(fs::exists(kit / ".devcontainer/Dockerfile"));
   const fs::path expected = kit / "expected";

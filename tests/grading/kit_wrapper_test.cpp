@@ -8,6 +8,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <unistd.h>
+
 using namespace tool;
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -34,6 +36,20 @@ protected:
 
   TemporaryFolder folder_;
 };
+
+/// As in a kit that root has built.
+TEST_F(Wrapper, SaysWhereItMayNotWrite) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
+  const fs::path build = folder_.path() / "build/release";
+  fs::create_directories(build);
+  const Ended ended = Running({"/usr/bin/setpriv", "--reuid=65534", "--regid=65534",
+                               "--clear-groups", folder_.path() / "ggrade", "check"},
+                              {{"GGRADE_PRESET", "release"}})
+                          .wait(10);
+  EXPECT_EQ(ended.exitCode, 2);
+  EXPECT_EQ(ended.errors,
+            "ggrade: can't write to " + build.string() + ": run ggrade in a folder of your own\n");
+}
 
 TEST_F(Wrapper, SaysWhatThereIsBeforeAnythingIsBuilt) {
   const Ended help = run({"--help"}), nothing = run({}), japanese = run({"--lang", "ja", "--help"});

@@ -1,6 +1,7 @@
 # Assignments, solution blocks, scene plans, the rubric engine: what needs no submission to run.
 ggrade_test(grading_unit_test unit
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/assignment_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/authoring_comments_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/authoring_new_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/authoring_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/grading_catalogue_test.cpp
