@@ -29,30 +29,6 @@ struct Bloom {
   std::vector<Level> levels;
 };
 
-// Can anything in this scene be brighter than the threshold?
-inline bool showsBloom(const gg::Scene& scene) {
-  if (scene.flag("debug.draw_all_passes")) return true;
-  const auto brightest = [&](const char* name) {
-    const gg::Material& of = scene.material(name);
-    return glm::vec3(of.ambient * scene.light.ambient) +
-           glm::max(glm::vec3(of.diffuse * scene.light.diffuse), 0.0f) +
-           glm::max(glm::vec3(of.specular * scene.light.specular), 0.0f);
-  };
-  glm::vec3 objects(0);
-  if (scene.integer("ring.count") > 0) objects = brightest("object") + scene.real("ring.glow");
-  glm::vec3 floor = brightest("floor");
-  if (scene.flag("effects.mirror"))
-    floor += glm::vec3(scene.material("floor").specular) * glm::max(objects, scene.background);
-  const glm::vec3 most = glm::max(glm::max(objects, floor), scene.background);
-  return std::max({most.r, most.g, most.b}) > scene.real("bloom.threshold");
-}
-
-// What light is stored in: quality.bloom_format.
-inline GLenum lightFormat(const gg::Scene& scene) {
-  const GLenum formats[] = {GL_RGBA8, GL_R11F_G11F_B10F, GL_RGBA16F, GL_RGBA32F};
-  return formats[scene.integer("quality.bloom_format")];
-}
-
 // TODO(bloom.1): make the framebuffer object of the scene.
 //   Given:  `size` (of the window, pixels), `format` (GL_RGBA16F unless the scene file asks for
 //           another) and the names in `bloom`: color, depth, framebuffer.
@@ -77,6 +53,36 @@ inline void makeScene(Bloom& bloom, const glm::ivec2& size, GLenum format) {
     throw std::runtime_error("the scene's framebuffer object is not complete");
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   // END SOLUTION(bloom.1)
+}
+
+// Covers what is drawn into with one triangle.
+inline void drawScreen(const Bloom& bloom) {
+  glBindVertexArray(bloom.noVertices);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// TODO(bloom.2): draw the scene into its framebuffer object, then bring it to the window.
+//   Given:  `bloom`, whose framebuffer is as large as the window; `window`, its size (pixels);
+//           drawScreen(), with the program and its uniforms set, which samples the scene through
+//           texture unit 0.
+//   Goal:   objects and floor, drawn between these two functions, go into the framebuffer object;
+//           the second one draws their picture into the window.
+//   Expect: the same scene, in brighter tones: composite.frag encodes it for the display.
+//                                                                       (bloom.md, step 2)
+inline void beginScene(const Bloom& bloom) {
+  // BEGIN SOLUTION(bloom.2)
+  glBindFramebuffer(GL_FRAMEBUFFER, bloom.framebuffer);
+  // END SOLUTION(bloom.2)
+}
+
+inline void showScene(const Bloom& bloom, const glm::ivec2& window) {
+  // BEGIN SOLUTION(bloom.2)
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  glViewport(0, 0, window.x, window.y);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, bloom.color);
+  drawScreen(bloom);
+  // END SOLUTION(bloom.2)
 }
 
 // TODO(bloom.3): make the levels.
@@ -108,12 +114,6 @@ inline void makeLevels(Bloom& bloom, int count, GLenum format, GLint edge) {
   glSamplerParameteri(bloom.sampler, GL_TEXTURE_WRAP_S, edge);
   glSamplerParameteri(bloom.sampler, GL_TEXTURE_WRAP_T, edge);
   // END SOLUTION(bloom.3)
-}
-
-// Covers what is drawn into with one triangle.
-inline void drawScreen(const Bloom& bloom) {
-  glBindVertexArray(bloom.noVertices);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 // TODO(bloom.3), too: the bright pass, from the scene into level 0.
@@ -178,12 +178,28 @@ inline void upPasses(const Bloom& bloom, int filter) {
   // END SOLUTION(bloom.5)
 }
 
-// TODO(bloom.2): the composite: the scene, from its framebuffer object to the window.
-//   Given:  `window`, the size of the window; `glows`: is there bloom to add?
-//   Do:     bind the window (0), set the viewport to its size; bind the scene's colour texture
-//           to unit 0; draw with drawScreen().
-//   Expect: the same scene, in brighter tones: composite.frag encodes it for the display.
-//                                                                       (bloom.md, step 2)
+// TODO(bloom.6): let the composite read level 0, which now holds the sum, through texture unit 1.
+//   Given:  `bloom`; its sampler, for this unit, too.
+//   Goal:   between these two functions, level 0 is read by the sampler's rules; after them no
+//           sampler is left. Then add it in composite.frag.
+//   Expect: light around what glows.                                    (bloom.md, step 6)
+inline void bindSum(const Bloom& bloom) {
+  // BEGIN SOLUTION(bloom.6)
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_2D, bloom.levels[0].color);
+  glBindSampler(1, bloom.sampler);
+  // END SOLUTION(bloom.6)
+}
+
+inline void unbindSum() {
+  // BEGIN SOLUTION(bloom.6)
+  glBindSampler(1, 0);
+  // END SOLUTION(bloom.6)
+}
+
+// The pass "composite": the scene and level 0, into the window. It is made of TODO(bloom.2) and
+// TODO(bloom.6).
+//   window: its size, pixels;  glows: is there bloom to add?
 inline void compositePass(const Bloom& bloom, const glm::ivec2& window, bool glows, int filter) {
   bloom.composite.use();
   bloom.composite.set("uScene", 0); // texture units
@@ -191,25 +207,56 @@ inline void compositePass(const Bloom& bloom, const glm::ivec2& window, bool glo
   bloom.composite.set("uGlows", glows);
   bloom.composite.set("uSize", glm::vec2(window));
   bloom.composite.set("uFilter", filter);
-  // TODO(bloom.6): bind level 0, which now holds the sum, to unit 1, with bloom.sampler on it
-  //   (glBindSampler); after drawing, no sampler (0). Add it in composite.frag.
-  //   Expect: light around what glows.                                  (bloom.md, step 6)
-  // BEGIN SOLUTION(bloom.6)
-  if (glows) {
-    glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D, bloom.levels[0].color);
-    glBindSampler(1, bloom.sampler);
-  }
-  // END SOLUTION(bloom.6)
-  // Then TODO(bloom.2) draws.
-  // BEGIN SOLUTION(bloom.2)
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  glViewport(0, 0, window.x, window.y);
+  if (glows) bindSum(bloom);
+  showScene(bloom, window);
+  unbindSum();
+}
+
+// What light is stored in: quality.bloom_format.
+inline GLenum lightFormat(const gg::Scene& scene) {
+  const GLenum formats[] = {GL_RGBA8, GL_R11F_G11F_B10F, GL_RGBA16F, GL_RGBA32F};
+  return formats[scene.integer("quality.bloom_format")];
+}
+
+// Makes what has the size of the window, or a share of it.
+inline void makeBloom(Bloom& bloom, const glm::ivec2& window, const gg::Scene& scene, bool glows) {
+  makeScene(bloom, window, lightFormat(scene));
+  if (glows)
+    makeLevels(bloom, scene.integer("quality.bloom_levels"), lightFormat(scene),
+               scene.integer("quality.bloom_edge") == 0 ? GL_CLAMP_TO_EDGE : GL_MIRRORED_REPEAT);
+}
+
+// The passes "bright", "down", "up" and "composite".
+inline void bloomPasses(const Bloom& bloom, const glm::ivec2& window, const gg::Scene& scene,
+                        bool glows) {
+  const int filter = scene.integer("quality.bloom_filter");
+  glDisable(GL_DEPTH_TEST);
   glActiveTexture(GL_TEXTURE0);
-  glBindTexture(GL_TEXTURE_2D, bloom.color);
-  drawScreen(bloom);
-  // END SOLUTION(bloom.2)
-  // BEGIN SOLUTION(bloom.6)
-  glBindSampler(1, 0);
-  // END SOLUTION(bloom.6)
+  if (glows) {
+    glBindSampler(0, bloom.sampler);
+    brightPass(bloom, scene.real("bloom.threshold"));
+    downPasses(bloom, filter);
+    upPasses(bloom, filter);
+    glBindSampler(0, 0);
+  }
+  compositePass(bloom, window, glows, filter);
+  glEnable(GL_DEPTH_TEST);
+}
+
+// Can anything in this scene be brighter than the threshold?
+inline bool showsBloom(const gg::Scene& scene) {
+  if (scene.flag("debug.draw_all_passes")) return true;
+  const auto brightest = [&](const char* name) {
+    const gg::Material& of = scene.material(name);
+    return glm::vec3(of.ambient * scene.light.ambient) +
+           glm::max(glm::vec3(of.diffuse * scene.light.diffuse), 0.0f) +
+           glm::max(glm::vec3(of.specular * scene.light.specular), 0.0f);
+  };
+  glm::vec3 objects(0);
+  if (scene.integer("ring.count") > 0) objects = brightest("object") + scene.real("ring.glow");
+  glm::vec3 floor = brightest("floor");
+  if (scene.flag("effects.mirror"))
+    floor += glm::vec3(scene.material("floor").specular) * glm::max(objects, scene.background);
+  const glm::vec3 most = glm::max(glm::max(objects, floor), scene.background);
+  return std::max({most.r, most.g, most.b}) > scene.real("bloom.threshold");
 }

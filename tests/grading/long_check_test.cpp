@@ -190,9 +190,9 @@ TEST(LongCheckTogether, TellsOfWhatGoesWrongWhereAllEffectsAreDrawn) {
 
   // The shadow map is where the floor's reflection is bound.
   Submission oneUnit = Submission::solution();
-  oneUnit.replace("floor.cpp", "glActiveTexture(GL_TEXTURE1);", "glActiveTexture(GL_TEXTURE0);");
-  oneUnit.replace("floor.cpp", "program->set(\"uShadowMap\", 1);",
-                  "program->set(\"uShadowMap\", 0);");
+  oneUnit.replace("shadow.hpp", "glActiveTexture(GL_TEXTURE1);", "glActiveTexture(GL_TEXTURE0);");
+  oneUnit.replace("shadow.hpp", "program.set(\"uShadowMap\", 1);",
+                  "program.set(\"uShadowMap\", 0);");
   const json shadow = check(oneUnit).at(1);
   EXPECT_EQ(shadow.at("todos").at(3).at("state"), "wrong") << shadow.dump(1);
   EXPECT_THAT(shadow.at("cause").get<std::string>(),
