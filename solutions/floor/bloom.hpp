@@ -32,8 +32,8 @@ struct Bloom {
 // TODO(bloom.1): make the framebuffer object of the scene.
 //   Given:  `size` (of the window, pixels), `format` (GL_RGBA16F unless the scene file asks for
 //           another) and the names in `bloom`: color, depth, framebuffer.
-//   Do:     as for the reflection: storage for `color` (no mipmaps: set the filter) and `depth`;
-//           attach both; throw unless it is complete; bind the window again.
+//   Goal:   as for the reflection: `framebuffer` is complete, with `color`, which later passes will
+//           sample, and `depth`; if it isn't, std::runtime_error is thrown. The window is bound.
 //   Expect: the picture doesn't change yet.                             (bloom.md, step 1)
 inline void makeScene(Bloom& bloom, const glm::ivec2& size, GLenum format) {
   bloom.size = size;
@@ -85,12 +85,12 @@ inline void showScene(const Bloom& bloom, const glm::ivec2& window) {
   // END SOLUTION(bloom.2)
 }
 
-// TODO(bloom.3): make the levels.
-//   Given:  `count` of levels, `format` as for the scene, `edge` (GL_CLAMP_TO_EDGE or
-//           GL_MIRRORED_REPEAT), and bloom.size.
-//   Do:     each level has half the size of the one before (the first: of the scene), rounded down,
-//           at least 1; a colour texture of that size, in a framebuffer object of its own, without
-//           depth. And glSamplerParameteri for bloom.sampler: linear filter, `edge` both ways.
+// TODO(bloom.3): make the levels, and the sampler that they are read by.
+//   Given:  bloom.levels, as many as asked for; bloom.size, that of the scene; `format` as for the
+//           scene; bloom.sampler; `edge`, what it reads beyond an edge (GL_CLAMP_TO_EDGE or
+//           GL_MIRRORED_REPEAT).
+//   Goal:   each level is half as large as the one before (the first: as the scene), in a window of
+//           any size, and can be drawn into and sampled. The sampler filters linearly.
 inline void makeLevels(Bloom& bloom, int count, GLenum format, GLint edge) {
   bloom.levels.clear();
   bloom.levels.resize(static_cast<std::size_t>(count));
@@ -117,8 +117,9 @@ inline void makeLevels(Bloom& bloom, int count, GLenum format, GLint edge) {
 }
 
 // TODO(bloom.3), too: the bright pass, from the scene into level 0.
-//   Do:     bind the level's framebuffer, set viewport and uSize (a glm::vec2) to its size; bind
-//           the scene's colour texture to unit 0; draw with drawScreen(). Then bright.frag.
+//   Given:  bloom.bright, in use: its uSize (a glm::vec2) is the size of what is drawn into;
+//           drawScreen(); texture unit 0. Its filter is in bright.frag.
+//   Goal:   all of level 0 is drawn anew, from the scene's colours.
 //   Expect: the picture doesn't change yet; `./ggrade inspect bloom` shows the pass.
 //                                                                       (bloom.md, step 3)
 inline void brightPass(const Bloom& bloom, float threshold) {
@@ -137,7 +138,8 @@ inline void brightPass(const Bloom& bloom, float threshold) {
 }
 
 // TODO(bloom.4): down: into each level from 1 on, the one before it, blurred.
-//   Do:     as in the bright pass, for one level after another, with bloom.down (uSize, too).
+//   Given:  bloom.down, in use, which blurs what it reads through unit 0; the rest as above.
+//   Goal:   each of these levels is drawn anew, the larger ones first.
 //   Expect: the picture doesn't change yet.                             (bloom.md, step 4)
 inline void downPasses(const Bloom& bloom, int filter) {
   bloom.down.use();
@@ -156,8 +158,8 @@ inline void downPasses(const Bloom& bloom, int filter) {
 }
 
 // TODO(bloom.5): up: from the last level but one to level 0, add to each the next smaller one.
-//   Do:     as on the way down, with bloom.up, and blending on: glBlendFunc(GL_ONE, GL_ONE).
-//           Afterwards blending off.
+//   Given:  bloom.up, in use, as bloom.down is above.
+//   Goal:   level 0 holds the sum of all levels; afterwards nothing is blended any more.
 //   Expect: the picture doesn't change yet.                             (bloom.md, step 5)
 inline void upPasses(const Bloom& bloom, int filter) {
   bloom.up.use();
