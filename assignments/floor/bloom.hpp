@@ -1,8 +1,8 @@
 // Bloom: light spreads around what is brighter than a display can show.
 //
 // The scene is drawn into half floats. Its bright parts go into a row of pictures, the levels, each
-// half as large as the one before and a little more blurred; their sum is added to the scene. The
-// functions stand in the order in which they are called.
+// half as large as the one before and a little more blurred; their sum is added to the scene. What
+// you write stands in the order of the steps; bloomPasses(), below, calls it in a frame's.
 #pragma once
 
 #include <gg/gg.hpp>
