@@ -10,6 +10,9 @@
 //   down       each level from the next larger one        -> bloom levels 1, 2, ...
 //   up         each level adds the next smaller one       -> bloom levels ..., 1, 0
 //   composite  the scene and bloom level 0                -> the window
+//
+// shadow.hpp, mirror.hpp and bloom.hpp hold the passes of a part each, and all that you write in
+// C++.
 
 #include "bloom.hpp"
 #include "mirror.hpp"
@@ -99,119 +102,61 @@ void app(const gg::Scene& scene) {
 
   while (window) {
     const double time = glfwGetTime();
+    const glm::ivec2 size(window.width(), window.height());                // pixels
     const glm::mat4 projection = scene.camera.projection(window.aspect()); // clip from eye
     const glm::mat4 view = scene.camera.view();                            // eye from world
     const bool mirror = showsReflection(scene, projection * view);
     const bool glows = bloom && showsBloom(scene);
+    const Draw draw = [&](const gg::Program& program, const glm::mat4& clipFromEye,
+                          const glm::mat4& eyeFromWorld) {
+      drawObjects(program, clipFromEye, eyeFromWorld, object, material, scene, time);
+    };
 
-    // Pass "shadow": the objects' depths as the light sees them, into the shadow map.
     LightCamera camera;
     if (shadowMap) {
       if (shadowMap->size == 0)
         makeShadowMap(*shadowMap, scene.integer("quality.shadow_size"), depthFormat(scene));
       camera = lightCamera(glm::vec3(scene.light.position), objectsBox(scene, object));
-
-      // TODO(shadow.3): draw the objects into the shadow map.
-      //   Given:  `shadowMap`, `camera`, drawObjects(), and shadowMap->program to draw with.
-      //   Do:     bind its framebuffer, set the viewport to its size, clear the depth, draw the
-      //           objects with the light's projection and view; then the window and its viewport.
-      //   Expect: the picture doesn't change yet.                     (shadow.md, step 3)
+      shadowPass(*shadowMap, camera, size, scene.integer("quality.shadow_bias"), draw);
     }
+    for (const gg::Program* program : {&objectProgram, &mirrorProgram, &tileProgram})
+      setShadow(*program, scene, shadowMap.has_value(), camera);
+    bindShadowMap(shadowMap ? shadowMap->depth : 0);
 
-    // What the shaders need to ask the shadow map (shadow.glsl).
-    for (const gg::Program* program : {&objectProgram, &mirrorProgram, &tileProgram}) {
-      program->set("uShadow", shadowMap.has_value());
-      program->set("uLightClipFromWorld", camera.projection * camera.view);
-      program->set("uLightWorld", glm::vec3(scene.light.position));
-      program->set("uShadowBias", scene.integer("quality.shadow_bias"));
-      program->set("uPcfRadius", scene.integer("quality.pcf_radius"));
-      program->set("uShadowTexel", 2 / (std::min(camera.projection[0][0], camera.projection[1][1]) *
-                                        static_cast<float>(scene.integer("quality.shadow_size"))));
-      program->set("uShadowMap", 1); // texture unit
-    }
-    // TODO(shadow.4): bind the shadow map's depth texture to unit 1 (then unit 0 again), and
-    //   ask it in shadow.glsl.
-
-    // Pass "mirror": the objects as the floor sees them, into the framebuffer object.
     if (mirror) {
       if (reflection.size == 0)
         makeReflection(reflection, scene.integer("quality.mirror_size"),
                        bloom ? lightFormat(scene) : GL_RGBA8);
-
-      // TODO(mirror.2): draw into the framebuffer object instead of the window.
-      //   Given:  `reflection`.
-      //   Do:     bind its framebuffer, set the viewport to its size, clear colour and depth.
-      //           Below, at the end of the pass: bind the window (0), set its viewport again.
-      //   Expect: the picture still doesn't change.                   (mirror.md, step 2)
-
-      // TODO(mirror.5): a mirror turns every triangle round: cull the front faces here, the back
-      //   faces again below, and negate the normal in mirror.vert.
-      //   Expect: solid objects in the floor, lit like the real ones. (mirror.md, step 5)
-
-      // TODO(mirror.6): clip away what lies below the floor: enable GL_CLIP_DISTANCE0 here,
-      //   disable it below, and write gl_ClipDistance[0] in mirror.vert.
-      //   Expect: sunken objects no longer stick out of the floor.    (mirror.md, step 6)
-
-      // TODO(mirror.4): draw the objects mirrored at the plane y = 0.
-      //   Given:  `projection`, `view`, drawObjects(), `mirrorProgram`, `light`.
-      //   Do:     the mirrored view is the view times a scale of (1, -1, 1); load the light in the
-      //           space of that view (scene.light.in(...)); draw with `mirrorProgram`.
-      //   Expect: coloured shapes appear in the floor, inside out.    (mirror.md, step 4)
-
-      // TODO(mirror.6) and TODO(mirror.5) end here, then TODO(mirror.2).
+      mirrorPass(reflection, size, mirrorProgram, projection, view, light, scene, draw);
     }
 
     // With bloom the scene goes into a framebuffer object of its own, not into the window.
     if (bloom) {
-      const glm::ivec2 size(window.width(), window.height());
-      if (bloom->size != size) {
-        makeScene(*bloom, size, lightFormat(scene));
-        if (glows)
-          makeLevels(*bloom, scene.integer("quality.bloom_levels"), lightFormat(scene),
-                     scene.integer("quality.bloom_edge") == 0 ? GL_CLAMP_TO_EDGE
-                                                              : GL_MIRRORED_REPEAT);
-      }
-      // TODO(bloom.2): bind the scene's framebuffer (its size is the window's: so is the viewport).
-      //   Then the composite pass in bloom.hpp.                       (bloom.md, step 2)
+      if (bloom->size != size) makeBloom(*bloom, size, scene, glows);
+      beginScene(*bloom);
     }
 
     // Pass "objects".
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     light.load(scene.light.in(view));
     objectProgram.use();
-    drawObjects(objectProgram, projection, view, object, material, scene, time);
+    draw(objectProgram, projection, view);
 
     // Pass "floor".
     tileProgram.use();
     tileProgram.set("uProjection", projection);
     tileProgram.set("uView", view);
     tileProgram.set("uTilesPerUnit", scene.real("floor.tiles_per_unit"));
-    tileProgram.set("uViewport", glm::vec2(window.width(), window.height()));
+    tileProgram.set("uViewport", glm::vec2(size));
     tileProgram.set("uMirror", mirror);
     tileProgram.set("uBlurSigma", scene.real("mirror.blur"));
     tileProgram.set("uBlurSamples", scene.integer("quality.blur_samples"));
     tileProgram.set("uReflection", 0); // texture unit
-    // TODO(mirror.3): let the floor sample the reflection: bind its colour texture to unit 0 here,
-    //   and read it in tile.frag.
-    //   Expect: the floor takes on the tint of the background.        (mirror.md, step 3)
+    sampleReflection(reflection);
     material.load(scene.material("floor"));
     rectangle.draw();
 
-    // Passes "bright", "down", "up" and "composite".
-    if (bloom) {
-      const int filter = scene.integer("quality.bloom_filter");
-      glDisable(GL_DEPTH_TEST);
-      glActiveTexture(GL_TEXTURE0);
-      if (glows) {
-        glBindSampler(0, bloom->sampler);
-        brightPass(*bloom, scene.real("bloom.threshold"));
-        downPasses(*bloom, filter);
-        upPasses(*bloom, filter);
-        glBindSampler(0, 0);
-      }
-      compositePass(*bloom, {window.width(), window.height()}, glows, filter);
-      glEnable(GL_DEPTH_TEST);
-    }
+    if (bloom) bloomPasses(*bloom, size, scene, glows);
 
     window.swapBuffers();
   }

@@ -19,7 +19,7 @@ void main() {
   vWorld = world.xyz;
   vPosition = position.xyz;
   vNormal = uNormal * aNormal;
-  // TODO(mirror.5): the mirror has turned the normal inside: negate it.
+  // TODO(mirror.5): the mirror has turned the normal inside: let it point outside again.
   gl_Position = uProjection * position;
-  // TODO(mirror.6): gl_ClipDistance[0] is the signed distance from the floor; negative is cut away.
+  // TODO(mirror.6): gl_ClipDistance[0] says how far from the floor this is; what is negative is cut away.
 }

@@ -29,8 +29,8 @@ void main() {
 
   vec3 reflected = vec3(0);
   if (uMirror) {
-    // TODO(mirror.3): `reflected` is the reflection under this pixel of the window. The mirrored
-    //   objects were drawn with the same projection: gl_FragCoord.xy / uViewport finds them.
+    // TODO(mirror.3): `reflected` is the reflection under this pixel of the window.
+    //   Given:  uReflection, drawn with the window's projection; gl_FragCoord; uViewport.
     // TODO(mirror.7): bonus: if uBlurSigma and uBlurSamples are more than 0, the plain mean of that
     //   many samples, whose places follow a Gaussian distribution.
   }

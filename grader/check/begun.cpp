@@ -197,12 +197,43 @@ std::vector<std::vector<int>> commonEnds(const std::vector<Unit>& a, const std::
   return length;
 }
 
+/// The statements of `stub` that `common` finds no place for in `now`: taken out, or moved.
+std::multiset<std::string> leftOver(const std::vector<Unit>& stub, const std::vector<Unit>& now,
+                                    const std::vector<std::vector<int>>& common) {
+  std::multiset<std::string> texts;
+  for (std::size_t i = 0, k = 0; i < stub.size();) {
+    if (k < now.size() && stub[i].text == now[k].text) {
+      ++i, ++k;
+    } else if (k == now.size() || common[i + 1][k] >= common[i][k + 1]) {
+      if (!stub[i].isComment()) texts.insert(stub[i].text);
+      ++i;
+    } else {
+      ++k;
+    }
+  }
+  return texts;
+}
+
+/// The TODOs in whose places, as the comments of `now` itself have them, stands what the stub
+/// doesn't have anywhere.
+Names byOwnComments(const std::vector<Unit>& now, const std::vector<Unit>& stub) {
+  std::set<std::string> given;
+  for (const Unit& unit : stub) given.insert(unit.text);
+  const Places places = placesIn(now);
+  Names todos;
+  for (std::size_t k = 0; k < now.size(); ++k)
+    if (!now[k].isComment() && !given.count(now[k].text)) todos.insert(places.added[k]);
+  todos.erase("");
+  return todos;
+}
+
 } // namespace
 
 Begun begunIn(std::string_view stubText, std::string_view text) {
   const std::vector<Unit> stub = Reader(stubText).units(), now = Reader(text).units();
   const Places places = placesIn(stub);
   const auto common = commonEnds(stub, now);
+  std::multiset<std::string> moved = leftOver(stub, now, common);
   Begun begun;
   std::set<std::size_t> takenOut;  // units of the stub
   std::set<std::size_t> writtenAt; // comments among which something is written
@@ -218,6 +249,10 @@ Begun begunIn(std::string_view stubText, std::string_view text) {
     } else {
       const Unit& written = now[k++];
       if (written.isComment() || i == 0) continue;
+      if (const auto given = moved.find(written.text); given != moved.end()) {
+        moved.erase(given);
+        continue;
+      }
       std::vector<std::size_t> comments = places.comments[i - 1];
       if (!inPlace) // what stands before a statement is not asked of what is added after it
         std::erase_if(comments,
@@ -239,6 +274,8 @@ Begun begunIn(std::string_view stubText, std::string_view text) {
     if (takenOut.count(comment))
       for (const std::string& todo : stub[comment].todos)
         if (!begun.certain.count(todo)) begun.possible.insert(todo);
+  begun.possible.merge(byOwnComments(now, stub));
+  for (const std::string& todo : begun.certain) begun.possible.erase(todo);
   return begun;
 }
 

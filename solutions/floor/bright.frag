@@ -11,15 +11,13 @@ uniform float uWeight;    // 1 / number of levels
 layout(location = 0) out vec4 oColor;
 
 void main() {
-  // The weighted mean of 4 x 4 pixels of the scene (a few more where its size is odd), NaN and infinity
-  // left out.
-  vec3 color = downsampleFinite(uScene, uSize);
   vec3 bright = vec3(0);
-  // TODO(bloom.3): keep what exceeds the threshold, in the same hue.
-  //   Given:  `color`, uThreshold, uWeight.
-  //   Do:     brightness = the largest of r, g, b; ratio = max(brightness - threshold, 0) /
-  //           max(brightness, 1e-5); bright = color * ratio * uWeight.
+  // TODO(bloom.3): the part of the scene's light that exceeds the threshold, in the same hue.
+  //   Given:  downsampleFinite(uScene, uSize), the weighted mean of 4 x 4 pixels of the scene (a few
+  //           more where its size is odd), NaN and infinity left out; uThreshold; uWeight.
+  //   Goal:   its share of the light, as bloom.md says, is kept, times uWeight; the rest, and black, is 0.
   // BEGIN SOLUTION(bloom.3)
+  vec3 color = downsampleFinite(uScene, uSize);
   float brightness = max(color.r, max(color.g, color.b));
   float ratio = max(brightness - uThreshold, 0.0) / max(brightness, 1e-5);
   bright = color * ratio * uWeight;

@@ -20,8 +20,8 @@ vec3 display(vec3 light) {
 
 void main() {
   vec3 light = finite(texelFetch(uScene, ivec2(gl_FragCoord.xy), 0).rgb);
-  // TODO(bloom.6): if uGlows, add the bloom: upsample(uBloom, uSize, uFilter) is its value at this
-  //   pixel of the window.
+  // TODO(bloom.6): add the bloom, if there is any.
+  //   Given:  upsample(uBloom, uSize, uFilter), its value at this pixel of the window.
   // BEGIN SOLUTION(bloom.6)
   if (uGlows) light += upsample(uBloom, uSize, uFilter);
   // END SOLUTION(bloom.6)

@@ -115,7 +115,7 @@ std::unique_ptr<Bloom> bloomOf(GLenum format, int levels, const std::vector<glm:
   return bloom;
 }
 
-/// As floor.cpp draws them.
+/// As bloomPasses() of bloom.hpp draws them.
 void drawBloom(const Bloom& bloom, float threshold) {
   glBindSampler(0, bloom.sampler);
   brightPass(bloom, threshold);

@@ -127,7 +127,7 @@ TEST(CarriedForward, ALookupThroughAnotherMatrixGetsNoMap) {
 
 TEST(CarriedForward, AComparisonThatIsWrongTooEarnsNothing) {
   Submission both = Submission::example("shadow_not_cleared");
-  both.replace("shadow.glsl", "  return texture(uShadowMap, at);\n", "  return 1.0;\n");
+  both.replace("shadow.glsl", "  return comparison(at);\n", "  return 1.0;\n");
   const Graded graded = gradePart("shadow", both);
   EXPECT_EQ(graded.results.at("score"), 0);
 }

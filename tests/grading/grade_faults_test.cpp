@@ -78,8 +78,8 @@ TEST(Fault, ClippedOnTheWrongSide) {
 
 TEST(Fault, ClipDistanceLeftEnabled) {
   // Shaders that write no clip distance are undefined then; what the next frame shows counts.
-  const Graded graded = grade(
-      std::move(Submission::solution().replace("floor.cpp", "glDisable(GL_CLIP_DISTANCE0);", ";")));
+  const Graded graded = grade(std::move(
+      Submission::solution().replace("mirror.hpp", "glDisable(GL_CLIP_DISTANCE0);", ";")));
   EXPECT_EQ(graded.outcome(), "graded");
 }
 

@@ -50,7 +50,7 @@ TEST(Outcome, BuildFailedNamesTheStudentsLine) {
   const Submission wrong = Submission::example("build_error");
   const Graded graded = gradeByTool(wrong);
   expectEnd(graded, "build_failed",
-            AllOf(HasSubstr(lineWith(wrong, "floor.cpp", "fboWidth")),
+            AllOf(HasSubstr(lineWith(wrong, "mirror.hpp", "fboWidth")),
                   ContainsRegex(":[0-9]+: error"), HasSubstr("fboWidth"),
                   Not(HasSubstr("/submission"))));
   EXPECT_EQ(graded.results.at("score"), 0);

@@ -120,9 +120,9 @@ TEST(ShadowAlternative, OneMatrixAnObjectUnderAnotherName) {
                              "void main() { gl_Position = together * uModel * aPosition; }\n");
   other.replace("shadow.hpp", "{\"object.vert\", \"shadow.frag\"}",
                 "{\"shadow.vert\", \"shadow.frag\"}");
-  other.replace("floor.cpp", "      shadowMap->program.use();\n",
-                "      shadowMap->program.use();\n      shadowMap->program.set(\"together\", "
-                "camera.projection * camera.view);\n");
+  other.replace("shadow.hpp", "  map.program.use();\n",
+                "  map.program.use();\n"
+                "  map.program.set(\"together\", camera.projection * camera.view);\n");
   const Graded graded = gradeShadow(other);
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_EQ(graded.score(), 100);

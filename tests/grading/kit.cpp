@@ -29,6 +29,15 @@ std::vector<std::string> statesOf(const std::string& part, const fs::path& expec
   return states;
 }
 
+fs::path expectedOf(const std::string& part) {
+  static const TemporaryFolder folder;
+  const fs::path expected = folder.path() / part;
+  if (fs::exists(expected)) return expected;
+  const Ended ended = runTool({"expect", part, "--out", expected}, {}, 1700);
+  if (ended.exitCode != 0) throw std::runtime_error(ended.errors);
+  return expected;
+}
+
 void takeOutComments(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     std::istringstream lines(read(entry.path()));

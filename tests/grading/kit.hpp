@@ -11,6 +11,9 @@ namespace tool {
 std::vector<std::string> statesOf(const std::string& part, const fs::path& expected,
                                   const fs::path& folder, std::string* said = nullptr);
 
+/// What `check` expects of a part, or of "floor": all parts. Made once.
+fs::path expectedOf(const std::string& part);
+
 /// Takes out the lines that are comments alone.
 void takeOutComments(const fs::path& folder);
 

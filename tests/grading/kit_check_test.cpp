@@ -39,9 +39,8 @@ struct Window {
   const char* cause; ///< what the sentence must name
 };
 
-const std::string kEndOfMirror = "      glBindFramebuffer(GL_FRAMEBUFFER, 0);\n"
-                                 "      glViewport(0, 0, window.width(), window.height());\n"
-                                 "      // END SOLUTION(mirror.2)";
+const std::string kEndOfMirror = "  glBindFramebuffer(GL_FRAMEBUFFER, 0);\n"
+                                 "  glViewport(0, 0, window.x, window.y);\n";
 const std::string kClear = "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n"
                            "    light.load(scene.light.in(view));";
 const std::string kDepthTest = "  glEnable(GL_DEPTH_TEST);\n  glEnable(GL_CULL_FACE);";
@@ -51,18 +50,17 @@ std::vector<Window> windows() {
   return {
       {"swap in a comment", "floor.cpp", "    window.swapBuffers();",
        "    // shown at last \\\n    window.swapBuffers();", "a comment swallows the line"},
-      {"framebuffer object left bound", "floor.cpp", kEndOfMirror,
-       "      glViewport(0, 0, window.width(), window.height());\n", "is still bound"},
+      {"framebuffer object left bound", "mirror.hpp", kEndOfMirror,
+       "  glViewport(0, 0, window.x, window.y);\n", "is still bound"},
       {"window not cleared", "floor.cpp", kClear, "    light.load(scene.light.in(view));",
        "was not cleared in this frame"},
       {"depth not cleared", "floor.cpp", kClear,
        "    glClear(GL_COLOR_BUFFER_BIT);\n    light.load(scene.light.in(view));",
        "epth of the window was not cleared"},
-      {"viewport of the framebuffer object", "floor.cpp", kEndOfMirror,
-       "      glBindFramebuffer(GL_FRAMEBUFFER, 0);\n", "viewport is 1024 x 1024"},
-      {"empty viewport", "floor.cpp", kEndOfMirror,
-       "      glBindFramebuffer(GL_FRAMEBUFFER, 0);\n      glViewport(0, 0, 0, 0);\n",
-       "viewport is empty"},
+      {"viewport of the framebuffer object", "mirror.hpp", kEndOfMirror,
+       "  glBindFramebuffer(GL_FRAMEBUFFER, 0);\n", "viewport is 1024 x 1024"},
+      {"empty viewport", "mirror.hpp", kEndOfMirror,
+       "  glBindFramebuffer(GL_FRAMEBUFFER, 0);\n  glViewport(0, 0, 0, 0);\n", "viewport is empty"},
       {"incomplete framebuffer object", "mirror.hpp", "glRenderbufferStorage(",
        "if (size < 0) glRenderbufferStorage(", "framebuffer object is not complete"},
       {"shader that doesn't compile", "object.frag", "void main() {",
@@ -96,8 +94,7 @@ std::vector<Window> windows() {
       {"cleared last", "floor.cpp", "    window.swapBuffers();",
        "    glClear(GL_COLOR_BUFFER_BIT);\n    window.swapBuffers();",
        "cleared after the last draw"},
-      {"culling left", "floor.cpp", "      glCullFace(GL_BACK);\n", "",
-       "ulling is left at GL_FRONT"},
+      {"culling left", "mirror.hpp", "  glCullFace(GL_BACK);\n", "", "ulling is left at GL_FRONT"},
   };
 }
 
@@ -144,6 +141,17 @@ TEST_F(Check, KnowsAStepWhoseCommentsAreJapanese) {
     EXPECT_EQ(statesOf("mirror", kit, step.path()), four) << kit;
   }
   EXPECT_EQ(statesOf("mirror", japanese.path(), Submission::firstSteps(4).path()), four);
+}
+
+/// Of a step that isn't done it isn't known what to expect, wherever its comment was.
+TEST_F(Check, TellsAMistakeWithoutComments) {
+  Submission light = Submission::firstSteps(5);
+  light.replace("mirror.hpp", "scene.light.in(mirroredView)", "scene.light.in(view)");
+  takeOutComments(light.path());
+  const json part = checked(light.path());
+  EXPECT_EQ(part.at("cause"), "The light is not brought into the mirrored view") << part.dump(1);
+  EXPECT_EQ(part.at("todos").at(3).at("state"), "wrong");
+  EXPECT_EQ(part.at("todos").at(5).at("state"), "not_begun");
 }
 
 TEST_F(Check, NamesWhyAWindowIsWhiteOrBlack) {
@@ -214,15 +222,14 @@ TEST_F(Check, NamesAKnownMistakeAndItsTodo) {
 /// Where it is made, long before the program is finished.
 TEST_F(Check, NamesAKnownMistakeAtItsOwnStep) {
   Submission light = Submission::firstSteps(4);
-  light.replace("floor.cpp", "scene.light.in(mirroredView)", "scene.light.in(view)");
+  light.replace("mirror.hpp", "scene.light.in(mirroredView)", "scene.light.in(view)");
   json part = checked(light.path());
   EXPECT_EQ(part.at("cause"), "The light is not brought into the mirrored view");
   EXPECT_EQ(part.at("todos").at(3).at("state"), "wrong");
   EXPECT_EQ(part.at("todos").at(2).at("state"), "done");
   Submission clear = Submission::firstSteps(2);
-  clear.replace("floor.cpp",
-                "reflection.size);\n      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
-                "reflection.size);\n      glClear(GL_DEPTH_BUFFER_BIT);");
+  clear.replace("mirror.hpp", "glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
+                "glClear(GL_DEPTH_BUFFER_BIT);");
   part = checked(clear.path());
   // Which of them can't be told before objects are drawn.
   EXPECT_EQ(part.at("cause"), "One of 3 mistakes that look alike so far");
@@ -233,8 +240,8 @@ TEST_F(Check, NamesAKnownMistakeAtItsOwnStep) {
   EXPECT_EQ(part.at("todos").at(1).at("state"), "wrong");
   // The statement that stands above its TODO is all that was changed for step 5.
   Submission culling = Submission::firstSteps(5);
-  culling.replace("floor.cpp", "      glCullFace(GL_FRONT);\n", "");
-  culling.replace("floor.cpp", "      glCullFace(GL_BACK);\n", "");
+  culling.replace("mirror.hpp", "  glCullFace(GL_FRONT);\n", "");
+  culling.replace("mirror.hpp", "  glCullFace(GL_BACK);\n", "");
   culling.replace("mirror.vert", "  vNormal = -vNormal;\n", "");
   culling.replace("mirror.vert", "vNormal = uNormal * aNormal", "vNormal = -(uNormal * aNormal)");
   part = checked(culling.path());
@@ -253,9 +260,7 @@ TEST_F(Check, ATextureOfAnotherSizeIsNotCalledWrong) {
                                HasSubstr(": warning: mirror.2 may be"),
                                HasSubstr("or another right way; it may lie in mirror.1, too"),
                                Not(HasSubstr("Likely cause"))));
-  submission.replace("floor.cpp",
-                     "reflection.size);\n      glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);",
-                     "reflection.size);");
+  submission.replace("mirror.hpp", "  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n", "");
   EXPECT_EQ(checked(submission.path()).at("todos").at(1).at("state"), "wrong")
       << "there is no pass at all";
 }
@@ -263,7 +268,7 @@ TEST_F(Check, ATextureOfAnotherSizeIsNotCalledWrong) {
 /// Software clips by what is written, so no picture tells.
 TEST_F(Check, TellsOfClippingThatWasNotEnabled) {
   Submission submission = Submission::firstSteps(6);
-  submission.replace("floor.cpp", "      if (clip) glEnable(GL_CLIP_DISTANCE0);\n", "");
+  submission.replace("mirror.hpp", "  if (clip) glEnable(GL_CLIP_DISTANCE0);\n", "");
   const json part = checked(submission.path());
   EXPECT_EQ(part.at("todos").at(5).at("state"), "done");
   EXPECT_THAT(part.at("messages").dump(), HasSubstr("glEnable(GL_CLIP_DISTANCE0)"));
@@ -271,12 +276,12 @@ TEST_F(Check, TellsOfClippingThatWasNotEnabled) {
 
 /// Though nothing else is bound that the floor could sample instead.
 TEST_F(Check, ATextureThatIsNotBoundIsMissed) {
-  const std::string bind = "    glBindTexture(GL_TEXTURE_2D, reflection.color);\n";
+  const std::string bind = "  glBindTexture(GL_TEXTURE_2D, reflection.color);\n";
   for (const bool atAll : {false, true})
     for (const int steps : {3, 7}) {
       Submission submission = Submission::firstSteps(steps);
-      submission.replace("floor.cpp", "    glActiveTexture(GL_TEXTURE0);\n" + bind,
-                         atAll ? "    glActiveTexture(GL_TEXTURE1);\n" + bind : "");
+      submission.replace("mirror.hpp", "  glActiveTexture(GL_TEXTURE0);\n" + bind,
+                         atAll ? "  glActiveTexture(GL_TEXTURE1);\n" + bind : "");
       const json part = checked(submission.path());
       EXPECT_EQ(part.at("todos").at(2).at("state"), "wrong") << part.dump(1);
       EXPECT_THAT(part.at("cause").get<std::string>(),
@@ -288,7 +293,7 @@ TEST_F(Check, WhatAnotherPartBindsIsNotMissedHere) {
   const fs::path file = expected() / "mirror" / "expected.json";
   const std::string kept = read(file);
   Submission light = Submission::firstSteps(4);
-  light.replace("floor.cpp", "scene.light.in(mirroredView)", "scene.light.in(view)");
+  light.replace("mirror.hpp", "scene.light.in(mirroredView)", "scene.light.in(view)");
   json all = json::parse(kept);
   for (json& step : all.at("samplers")) step["uOfAnotherPart"] = "color";
   std::ofstream(file) << all;
@@ -335,8 +340,10 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
 
 TEST_F(Check, AnErrorOfOpenGlIsNeverDone) {
   Submission submission = Submission::firstSteps(1);
-  submission.replace("mirror.hpp", "  glBindFramebuffer(GL_FRAMEBUFFER, reflection.framebuffer);\n",
-                     "");
+  submission.replace(
+      "mirror.hpp",
+      "  glBindFramebuffer(GL_FRAMEBUFFER, reflection.framebuffer);\n  glFramebufferTexture2D",
+      "  glFramebufferTexture2D");
   const json part = checked(submission.path());
   EXPECT_EQ(part.at("outcome"), "gl_error");
   EXPECT_EQ(part.at("todos").at(0).at("state"), "wrong");
@@ -347,7 +354,7 @@ TEST_F(Check, AProgramThatDoesNotCompileIsNamedWithItsLine) {
   const Submission submission = Submission::example("build_error");
   const Ended ended = Running(command(submission.path())).wait(100);
   EXPECT_EQ(ended.exitCode, 1);
-  EXPECT_THAT(ended.out, AllOf(HasSubstr(" error: "), hasLineAt(submission.path() / "floor.cpp")));
+  EXPECT_THAT(ended.out, AllOf(HasSubstr(" error: "), hasLineAt(submission.path() / "mirror.hpp")));
 }
 
 TEST_F(Check, LooksAgainAtEverySave) {
@@ -379,11 +386,11 @@ TEST_F(Check, LooksAgainAtEverySave) {
   EXPECT_EQ(own.exitCode, 0) << own.out;
   EXPECT_TRUE(waitFor("4 of 7 done")) << watching.out() << watching.errors();
   EXPECT_THAT(read(page), HasSubstr("4 of 7 done"));
-  // At step 3 first, then at step 5; each is done in floor.cpp and in another file.
+  // At step 3 first, then at step 5; each is done in mirror.hpp and in another file.
   std::istringstream places(read(opened));
   std::vector<std::string> lines;
   for (std::string line; std::getline(places, line);) lines.push_back(line);
-  const std::string program = (submission.path() / "floor.cpp").relative_path().string() + ':';
+  const std::string program = (submission.path() / "mirror.hpp").relative_path().string() + ':';
   EXPECT_THAT(lines, testing::ElementsAre(HasSubstr(program), HasSubstr(program)));
   watching.signalGroup(SIGINT);
   EXPECT_EQ(watching.wait(10).exitCode, 130);

@@ -58,7 +58,7 @@ TEST(Release, TodosThatAreNotNamedComeFilledIn) {
   EXPECT_THAT(names(folder.path() / "kit-quiz"),
               testing::IsSupersetOf({"mirror.md", "mirror.ja.gift.txt"}));
   EXPECT_FALSE(fs::exists(folder.path() / "kit-quiz/shadow.md"));
-  const std::string program = read(kit / "assignments/floor/floor.cpp");
+  const std::string program = read(kit / "assignments/floor/mirror.hpp");
   EXPECT_THAT(program, HasSubstr("TODO(mirror.4)"));
   EXPECT_THAT(program, HasSubstr("DONE(mirror.2)"));
   EXPECT_THAT(program, Not(HasSubstr("TODO(mirror.2)")));

@@ -26,13 +26,10 @@ struct Known {
 };
 
 const Known& known(const std::string& id) {
-  static TemporaryFolder made;
   static std::map<std::string, Known> all;
   const auto found = all.find(id);
   if (found != all.end()) return found->second;
-  const fs::path expected = made.path() / id;
-  const Ended ended = runTool({"expect", id, "--out", expected}, {}, 1700);
-  if (ended.exitCode != 0) throw std::runtime_error(ended.errors);
+  const fs::path expected = expectedOf(id);
   ggrade::Target target = ggrade::findTarget(kSource / "assignments", id);
   const fs::path solutions = kSource / "solutions" / target.assignment.id;
   auto catalogue =
@@ -159,10 +156,7 @@ TEST_P(LongCheck, IsSilentOnEveryRightAnswer) {
 
 /// Each effect alone is right, and all of them aren't.
 TEST(LongCheckTogether, TellsOfWhatGoesWrongWhereAllEffectsAreDrawn) {
-  const TemporaryFolder folder;
-  const fs::path expected = folder.path() / "expected";
-  const Ended made = runTool({"expect", "floor", "--out", expected}, {}, 1700);
-  ASSERT_EQ(made.exitCode, 0) << made.errors;
+  const fs::path expected = expectedOf("floor");
   const auto check = [&](const Submission& submission) {
     std::string said;
     statesOf("floor", expected, submission.path(), &said);
@@ -190,9 +184,9 @@ TEST(LongCheckTogether, TellsOfWhatGoesWrongWhereAllEffectsAreDrawn) {
 
   // The shadow map is where the floor's reflection is bound.
   Submission oneUnit = Submission::solution();
-  oneUnit.replace("floor.cpp", "glActiveTexture(GL_TEXTURE1);", "glActiveTexture(GL_TEXTURE0);");
-  oneUnit.replace("floor.cpp", "program->set(\"uShadowMap\", 1);",
-                  "program->set(\"uShadowMap\", 0);");
+  oneUnit.replace("shadow.hpp", "glActiveTexture(GL_TEXTURE1);", "glActiveTexture(GL_TEXTURE0);");
+  oneUnit.replace("shadow.hpp", "program.set(\"uShadowMap\", 1);",
+                  "program.set(\"uShadowMap\", 0);");
   const json shadow = check(oneUnit).at(1);
   EXPECT_EQ(shadow.at("todos").at(3).at("state"), "wrong") << shadow.dump(1);
   EXPECT_THAT(shadow.at("cause").get<std::string>(),

@@ -139,6 +139,23 @@ TEST(CheckBegun, ShiftJis) {
               ElementsAre("mirror.1"));
 }
 
+TEST(CheckBegun, AGivenStatementThatStandsElsewhereIsNoWork) {
+  std::string text = kStub;
+  text.erase(text.find("  swap();\n"), 10);
+  text.insert(text.find("  // TODO(mirror.2): draw"), "  swap();\n");
+  EXPECT_THAT(begunIn(kStub, text), IsEmpty());
+  text.insert(text.find("  // TODO(mirror.3): cull"), "  swap();\n");
+  EXPECT_THAT(begunIn(kStub, text), ElementsAre("mirror.2")) << "a second one";
+}
+
+// As files of another edition of the kit have it.
+TEST(CheckBegun, ATodoOfAnotherFileMayBeBegun) {
+  const std::string now = "int b;\n// TODO(mirror.4): draw.\ndraw(b);\n";
+  EXPECT_THAT(begunIn("int b;\n", now), IsEmpty());
+  EXPECT_THAT(possiblyBegunIn("int b;\n", now), ElementsAre("mirror.4"));
+  EXPECT_THAT(possiblyBegunIn("int b;\ndraw(b);\n", now), IsEmpty()) << "it was handed out";
+}
+
 TEST(CheckBegun, BrokenTextEndsAnywhere) {
   for (const char* text : {"", "//", "/*", "/* TODO(a.1)", "\"", "'", "#", "#\\", "\\", "a\"b",
                            "// TODO(a.1)\\", "\"\\", "// \\\r\n", "1'000'000", "/", "#\nint a;"})
