@@ -264,7 +264,10 @@ private:
     if (first && !expected_.scenes[first->scene].another) {
       suspect.todo = likeliest(first->scene);
       // Of a TODO's own scene it isn't known what all mistakes of other TODOs show.
-      if (suspect.todo.empty() && first->scene != 0 && shown_[0]) suspect.todo = likeliest(0);
+      for (std::size_t i = 0; i < shown_.size() && suspect.todo.empty(); ++i)
+        if (i != first->scene && shown_[i] && !expected_.scenes[i].another &&
+            (i == 0 || diagnosis::firstWrong({*shown_[i]}, {expected_.steps[step_][i]})))
+          suspect.todo = likeliest(i);
       if ((suspect.todo.empty() || observed_.isSure) && begun_.count(observed_.todo))
         suspect.todo = observed_.todo;
       suspect.isExplained = !suspect.todo.empty() || !observed_.faults.empty() ||
