@@ -9,6 +9,9 @@
 
 #include <gmock/gmock.h>
 
+#include <regex>
+#include <sstream>
+
 using namespace tool;
 using ggrade::Image;
 using nlohmann::json;
@@ -218,6 +221,55 @@ TEST(Steps, EveryStepOfTheFloorHasItsTextAndItsPicture) {
   for (const char* name : {"mirror-2-pass.png", "shadow-3-pass.png", "bloom-3-pass.png",
                            "bloom-4-pass.png", "bloom-5-pass.png"})
     EXPECT_THAT(pictures, Contains(name));
+}
+
+/// Lines that aren't blank.
+int linesIn(const std::string& text) {
+  std::istringstream lines(text);
+  int count = 0;
+  for (std::string line; std::getline(lines, line);)
+    count += line.find_first_not_of(" \t\r") != line.npos;
+  return count;
+}
+
+/// What a handout shows of the code.
+int linesOfCode(const std::string& handout) {
+  static const std::regex kCode("```(?:cpp|glsl)\n([^`]*)```");
+  int count = 0;
+  for (std::sregex_iterator i(handout.begin(), handout.end(), kCode), end; i != end; ++i)
+    count += linesIn((*i)[1]);
+  return count;
+}
+
+TEST(Steps, LittleIsReadBeforeTheFirstTodoOfTheFloor) {
+  const fs::path folder = kSource / "assignments/floor";
+  for (const std::string part : {"mirror", "shadow", "bloom"}) {
+    const std::string handout = read(folder / (part + ".md")),
+                      header = read(folder / (part + ".hpp"));
+    const std::size_t step = handout.find("\n## Step 2"),
+                      todo = header.find("TODO(" + part + ".1)");
+    ASSERT_NE(step, handout.npos);
+    ASSERT_NE(todo, header.npos);
+    const int shown = linesOfCode(handout.substr(0, step));
+    EXPECT_GT(shown, 0);
+    EXPECT_LE(shown + linesIn(header.substr(0, todo)), 60) << part;
+  }
+}
+
+TEST(Steps, TodosOfTheFloorStandInTheOrderOfTheirSteps) {
+  static const std::regex kTodo(R"(// TODO\(([a-z]+)\.([0-9])\)(?::|, too:))");
+  int found = 0;
+  const fs::path folder = kSource / "assignments/floor";
+  for (const std::string& file : ggrade::Assignment::load(folder).files) {
+    const std::string text = read(folder / file);
+    std::string last;
+    for (std::sregex_iterator i(text.begin(), text.end(), kTodo), end; i != end; ++i, ++found) {
+      EXPECT_NE(file, "floor.cpp");
+      EXPECT_LE(last, (*i)[2].str()) << file;
+      last = (*i)[2];
+    }
+  }
+  EXPECT_GE(found, 7 + 6 + 6);
 }
 
 TEST(Steps, NothingOfTheSolutionStandsInTheAssignment) {
