@@ -229,7 +229,7 @@ void app(const gg::Scene& scene) {
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
 
-    // To look at: the volumes in white, as long as V is held down.
+    // To look at: the volumes in white and orange, as long as V is held down.
     if (scene.flag("debug.volume") || glfwGetKey(window.handle(), GLFW_KEY_V) == GLFW_PRESS) {
       glDepthFunc(GL_LEQUAL);
       glDisable(GL_CULL_FACE);
