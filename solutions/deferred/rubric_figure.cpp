@@ -136,6 +136,10 @@ Verdict pictures(const View& view, const std::vector<Wanted>& all) {
   return passesOrPicture(together(verdicts), window(view));
 }
 
+GGRADE_ITEM("figure.albedo", [](const View& view) {
+  return pictures(view, {{"uAlbedo", gg::say("albedo")}});
+});
+
 GGRADE_ITEM("figure.gbuffer", [](const View& view) {
   return pictures(view, {{"uNormals", gg::say("normals")}, {"uIds", gg::say("identifiers")}});
 });
