@@ -94,7 +94,8 @@ void app(const gg::Scene& scene) {
 
   gg::MeshData mesh = casterMesh(scene);
   std::vector<std::string> warnings;
-  const ClosedMesh caster = closedMesh(mesh, warnings);
+  ClosedMesh caster = closedMesh(mesh, warnings);
+  if (scene.integer("quality.search") == 1) caster.edges = sharedEdges(caster.faces);
   for (const std::string& warning : warnings)
     std::fprintf(stderr, "mesh %s: %s\n", scene.text("mesh").c_str(), warning.c_str());
   const World world = makeWorld(scene, mesh);
