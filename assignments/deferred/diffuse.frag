@@ -7,6 +7,7 @@ layout(location = 0) out vec4 oDiffuse;
 
 void main() {
   vec3 diffuse = vec3(0);
-  // TODO(figure.3): albedo times occluded irradiance, divided by kPi.      (figure.md, step 3)
+  // TODO(figure.3): what the surface scatters of the light that comes through to it.
+  //   Given:  uAlbedo, uOccluded, here(), kPi.                             (figure.md, step 3)
   oDiffuse = vec4(min(diffuse, kMost), 1);
 }

@@ -14,7 +14,7 @@ enum class Picture {
   depth,
   irradiance,
   occlusion,
-  occluded, // irradiance, less what is occluded
+  occluded, // irradiance, less what is occluded of the sky's
   albedo,
   diffuse,
   reflected, // direction of view
@@ -177,6 +177,13 @@ inline void drawPasses(const Figure& figure, const gg::Scene& scene, const glm::
     if (pass.picture == Picture::occlusion) {
       program.set("uSamples", scene.integer("quality.ao_samples"));
       program.set("uRadius", scene.real("quality.ao_radius"));
+    }
+    if (pass.picture == Picture::occluded) {
+      const Sky sky = skyOf(scene);
+      program.set("uSunDirection", sky.sunDirection);
+      program.set("uSunIrradiance", scene.text("sky.file").empty()
+                                        ? discIrradiance(sky, sky.sunDirection)
+                                        : glm::vec3(0));
     }
     if (pass.picture == Picture::fresnel) {
       std::array<glm::vec3, 1 + kMaterials.size()> reflectance{}; // by material; 0: nothing there

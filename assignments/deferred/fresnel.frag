@@ -10,8 +10,9 @@ layout(location = 0) out vec4 oFresnel;
 void main() {
   vec3 fresnel = vec3(0);
   vec3 straight = uReflectance[texelFetch(uIds, here(), 0).y];
-  // TODO(figure.5): Schlick's approximation: straight + (1 - straight) (1 - c)^5, where c is the
-  //   cosine between the normal and the direction to the eye, but never less than 0. A material
-  //   whose `straight` is 0 reflects nothing at all.                       (figure.md, step 5)
+  // TODO(figure.5): the share that is mirrored, by Schlick's approximation.
+  //   Given:  straight, normalAt(), viewDirection(), which points to the surface.
+  //   Goal:   no cosine is less than 0, and a material whose `straight` is 0 reflects nothing at
+  //           all.                                                         (figure.md, step 5)
   oFresnel = vec4(fresnel, 1);
 }

@@ -42,12 +42,12 @@ void main() {
     vec3 position = own * eyeRay(here());              // eye space
     mat3 turned = frame(mat3(uView) * normalAt(here())); // eye space from the hemisphere's
     // TODO(figure.4): how many of uSamples points about `position` are hidden behind something?
-    //   Given:  position, own, turned, uRadius; inHemisphere(i), pixelOf(point), inPicture(pixel).
-    //   Do:     point = position + uRadius * (turned * inHemisphere(i)). It is hidden if it is in
-    //           the picture, another pixel than here(), covered, and the surface seen there is
-    //           nearer to the eye than the point (by more than 2% of uRadius: depths are rounded),
-    //           at a distance that differs from `own` by less than uRadius.
-    //           open = 1 - hidden / uSamples.
+    //   Given:  position, own, turned, uRadius; inHemisphere(i), pixelOf(point), inPicture(pixel),
+    //           covered(pixel), distanceAt(pixel).
+    //   Goal:   a point, up to uRadius away, is hidden if another pixel than here() shows a surface
+    //           there that is nearer to the eye than the point, by more than 2% of uRadius (depths
+    //           are rounded), and not much nearer than `own`: they differ by less than uRadius.
+    //           `open` is the share of all points that are not hidden.
     //   Expect: dark creases.                                              (figure.md, step 4)
   }
   oOpen = open;

@@ -21,17 +21,18 @@ struct Sky {
   glm::vec3 ground{0.2f, 0.18f, 0.15f};          // all that lies below the horizon
   glm::vec3 sunDirection{0.48f, 0.6f, 0.64f};    // to its middle; unit length
   glm::vec3 sunRadiance{3.0e4f, 2.7e4f, 2.3e4f}; // half floats end at 65504
+  float glow = 0.5f;                             // by how much the sky is brighter at the sun
   float sunRadius = 0.00465f;                    // radians, more than 0, at most 0.5
 };
 
 // The radiance from a direction, without the sun's disc.
 //   From the zenith Z to the horizon H it goes as Z + (H - Z) (1 - y)^3, and is brighter by
-//   1 + max(cos a, 0)^8 / 2 at the angle a from the sun.
+//   1 + glow max(cos a, 0)^8 at the angle a from the sun.
 inline glm::vec3 skyRadiance(const Sky& sky, const glm::vec3& direction) {
   if (direction.y < 0) return sky.ground;
   const float low = 1 - direction.y;
   const float towardsSun = std::max(glm::dot(direction, sky.sunDirection), 0.0f);
-  return (1 + 0.5f * std::pow(towardsSun, 8.0f)) *
+  return (1 + sky.glow * std::pow(towardsSun, 8.0f)) *
          glm::mix(sky.zenith, sky.horizon, low * low * low);
 }
 

@@ -31,14 +31,18 @@ std::string densestAt(const Window& window) {
   return gg::say(", densest at ({},{})", window.x + window.width / 2, window.y + window.height / 2);
 }
 
-Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what) {
+Verdict within(const Image& found, const Image& wanted, const Mask& region,
+               const std::string& what) {
   CompareOptions options;
   options.mask = &region;
-  const Comparison comparison =
-      compare(view.frames.at(frame), view.scene.reference.at(frame), options);
+  const Comparison comparison = compare(found, wanted, options);
   const double quality = qualityOf(comparison.wrongShare, kNothingLeft);
   return {quality, gg::say("{}: {:.1f}% of {} pixels differ{}", what, 100 * comparison.wrongShare,
                            comparison.judgedPixels, densestAt(comparison.densest))};
+}
+
+Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what) {
+  return within(view.frames.at(frame), view.scene.reference.at(frame), region, what);
 }
 
 bool frozen(const View& view) {

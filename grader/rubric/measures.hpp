@@ -35,7 +35,11 @@ Agreement agreement(const Mask& wanted, const Mask& found, int reach);
 /// ", densest at (x,y)", or nothing when nothing is wrong.
 std::string densestAt(const Window& window);
 
-/// The tolerant comparison with the reference inside `region`, as a verdict.
+/// The tolerant comparison of a picture inside `region`, as a verdict.
+Verdict within(const Image& found, const Image& wanted, const Mask& region,
+               const std::string& what);
+
+/// The same of a frame with the reference's.
 Verdict within(const View& view, std::size_t frame, const Mask& region, const std::string& what);
 
 /// Do all frames show the very same, although the reference's don't? That is a picture, and no

@@ -160,9 +160,9 @@ Off figureOff(const json& patch, double time = 7) {
     dvec3 light = surfaces[i].id < 0 ? lookUp(environment, view) : dvec3(0);
     if (surfaces[i].id >= 0) {
       const Paint& paint = world.paint(surfaces[i]);
-      light = paint.albedo / std::numbers::pi * lookUp(irradiance, normal) +
-              fresnel(paint.straight, -glm::dot(normal, view)) *
-                  lookUp(environment, glm::reflect(view, normal));
+      const dvec3 mirrored = fresnel(paint.straight, -glm::dot(normal, view));
+      light = (1.0 - mirrored) * paint.albedo / std::numbers::pi * lookUp(irradiance, normal) +
+              mirrored * lookUp(environment, glm::reflect(view, normal));
     }
     for (int c = 0; c < 3; ++c) {
       off.window = std::max(off.window, std::abs(double(window.at(x, y, c)) - display(light)[c]));

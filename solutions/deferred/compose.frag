@@ -13,8 +13,8 @@ layout(location = 0) out vec4 oColor;
 void main() {
   vec2 at = gl_FragCoord.xy / vec2(textureSize(uDiffuse, 0)); // texture coordinates, 0 to 1
   vec3 light = texture(uDiffuse, at).rgb;
-  // TODO(targets.4): if uEdges, five times the diffuse light here less that of the four neighbours
-  //   (textureOffset), and not less than 0. Only the diffuse light: the others are added after it.
+  // TODO(targets.4): if uEdges, the handout's filter over this texel and its four neighbours
+  //   (textureOffset), nowhere less than 0. Only the diffuse light: the others are added after it.
   // BEGIN SOLUTION(targets.4)
   if (uEdges)
     light = max(5.0 * light - textureOffset(uDiffuse, at, ivec2(0, -1)).rgb

@@ -9,7 +9,7 @@
 //   - G-buffer: albedo, normal, identifiers and depth of the objects
 //   - irradiance: what falls on each pixel's surface
 //   - occlusion: how much of the half space above it is open
-//   - occluded: the product of the two
+//   - occluded: the irradiance, less what the sky lacks there
 //   - diffuse: that times the albedo, what the surfaces scatter
 //   - reflected: the direction of view, mirrored
 //   - Fresnel: how much is mirrored

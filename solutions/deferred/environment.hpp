@@ -14,6 +14,8 @@ struct Environment {
 // The sky of this scene; its sun stands where the light's position is, seen from the origin.
 inline Sky skyOf(const gg::Scene& scene) {
   Sky sky;
+  if (scene.flag("sky.uniform"))
+    sky.zenith = sky.horizon = sky.ground = glm::vec3(0.5f), sky.glow = 0;
   for (glm::vec3* part : {&sky.zenith, &sky.horizon, &sky.ground})
     *part *= scene.real("sky.brightness");
   const glm::vec3 towards(scene.light.position);

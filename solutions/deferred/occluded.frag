@@ -3,6 +3,9 @@
 
 #include "figure.glsl"
 
+uniform vec3 uSunDirection;  // to its middle, world space, unit length
+uniform vec3 uSunIrradiance; // of a surface that faces it; 0: a picture of the sky has no sun apart
+
 layout(location = 0) out vec4 oOccluded;
 
 // The mean occlusion of 4 x 4 pixels, of those of the same object.
@@ -20,6 +23,14 @@ float meanOpen() {
   return sum / count;
 }
 
+// The sun's part in the irradiance. Its light comes from one direction: how much of the half space is
+// open says nothing of whether that one is.
+vec3 fromSun(vec3 irradiance) {
+  float cosine = max(dot(normalAt(here()), uSunDirection), 0.0);
+  return min(cosine * uSunIrradiance, irradiance);
+}
+
 void main() {
-  oOccluded = vec4(meanOpen() * texelFetch(uIrradiance, here(), 0).rgb, 1);
+  vec3 irradiance = texelFetch(uIrradiance, here(), 0).rgb;
+  oOccluded = vec4(mix(fromSun(irradiance), irradiance, meanOpen()), 1);
 }

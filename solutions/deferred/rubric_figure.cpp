@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 using namespace deferred_rubric;
 
@@ -33,8 +34,53 @@ const Mask& unoccluded(const SceneEvidence& scene, std::size_t frame) {
   });
 }
 
+// IEC 61966-2-1, which windows are encoded by, of values from 0 to 1.
+float decoded(float shown) {
+  return shown <= 0.04045f ? shown / 12.92f : std::pow((shown + 0.055f) / 1.055f, 2.4f);
+}
+float encoded(float light) {
+  return light <= 0.0031308f ? 12.92f * light : 1.055f * std::pow(light, 1 / 2.4f) - 0.055f;
+}
+
+/// The light of a window's colours.
+Image decoded(const Image& window) {
+  Image out = window;
+  for (float& value : out.values()) value = decoded(value);
+  return out;
+}
+
+/// A window in which surfaces scatter what they mirror, too: the plain sum that handouts once asked
+/// for. It counts as right, as it was.
+const Image& plainSum(const SceneEvidence& scene, std::size_t frame) {
+  const Image& reference = scene.reference.at(frame);
+  return remembered(&reference, [&] {
+    const Image& scattered = scene.probes.at("scatters only").at(frame);
+    const Image& mirrored = scene.probes.at("mirrors only").at(frame);
+    Image sum = reference;
+    for (int y = 0; y < sum.height(); ++y)
+      for (int x = 0; x < sum.width(); ++x) {
+        // The sky is the same in all three.
+        if (std::ranges::equal(scattered.pixel(x, y), mirrored.pixel(x, y))) continue;
+        for (int c = 0; c < 3; ++c) {
+          const float light = decoded(scattered.at(x, y, c)) + decoded(mirrored.at(x, y, c));
+          sum.at(x, y, c) = encoded(std::min(light, 1.0f));
+        }
+      }
+    return sum;
+  });
+}
+
+const Verdict& better(const Verdict& a, const Verdict& b) {
+  return b.quality > a.quality ? b : a;
+}
+
 Verdict window(const View& view) {
-  return picture(view, [&](std::size_t i) { return unoccluded(view.scene, i); });
+  return worstFrame(view, [&](std::size_t i) -> Verdict {
+    const Mask& where = unoccluded(view.scene, i);
+    if (tooSmall(where)) return {1, "nothing to see in this frame"};
+    return better(within(view, i, where, "window"),
+                  within(view.frames.at(i), plainSum(view.scene, i), where, "window"));
+  });
 }
 
 GGRADE_ITEM("figure.picture", window);
@@ -59,6 +105,20 @@ struct Wanted {
   const Mask& (*region)(const SceneEvidence&) = surfaces; ///< where it is looked at
 };
 
+/// The composition as a plain sum, of the reference's two pictures; null where it has only one.
+const Texture* plainComposition(const SceneEvidence& scene) {
+  const auto& sum = remembered(&scene, [&]() -> std::optional<Texture> {
+    const Texture* diffuse = wanted(scene, "uDiffuse");
+    const Texture* reflection = wanted(scene, "uReflection");
+    if (!diffuse || !reflection) return {};
+    Texture made = *diffuse;
+    for (std::size_t i = 0; i < made.image.values().size(); ++i)
+      made.image.values()[i] += reflection->image.values()[i];
+    return made;
+  });
+  return sum ? &*sum : nullptr;
+}
+
 /// Those of the pictures that this scene has.
 Verdict pictures(const View& view, const std::vector<Wanted>& all) {
   std::vector<Verdict> verdicts;
@@ -66,10 +126,19 @@ Verdict pictures(const View& view, const std::vector<Wanted>& all) {
     const Texture* right = wanted(view.scene, sampler);
     if (!right) continue;
     const auto any = [](const Texture&) { return true; };
-    verdicts.push_back(bestMatch(view, *right, region(view.scene), name, any).verdict);
+    Verdict verdict = bestMatch(view, *right, region(view.scene), name, any).verdict;
+    const Texture* plain =
+        sampler == std::string("uComposition") ? plainComposition(view.scene) : nullptr;
+    if (plain)
+      verdict = better(verdict, bestMatch(view, *plain, region(view.scene), name, any).verdict);
+    verdicts.push_back(verdict);
   }
   return passesOrPicture(together(verdicts), window(view));
 }
+
+GGRADE_ITEM("figure.albedo", [](const View& view) {
+  return pictures(view, {{"uAlbedo", gg::say("albedo")}});
+});
 
 GGRADE_ITEM("figure.gbuffer", [](const View& view) {
   return pictures(view, {{"uNormals", gg::say("normals")}, {"uIds", gg::say("identifiers")}});
@@ -80,9 +149,8 @@ GGRADE_PASS("figure.gbuffer", [](const View& view) {
 });
 
 GGRADE_ITEM("figure.irradiance", [](const View& view) {
-  return pictures(
-      view, {{"uIrradiance", gg::say("irradiance")},
-             {"uDiffuse", gg::say("diffuse light"), unoccludedSurfaces}});
+  return pictures(view, {{"uIrradiance", gg::say("irradiance")},
+                         {"uDiffuse", gg::say("diffuse light"), unoccludedSurfaces}});
 });
 
 GGRADE_PASS("figure.irradiance",
@@ -131,14 +199,6 @@ Openness openness(const Image& open, const Mask& region) {
 const Openness& inTexture(const SceneEvidence& scene) {
   return remembered(&scene,
                     [&] { return openness(wanted(scene, "uOcclusion")->image, surfaces(scene)); });
-}
-
-/// The light of a window's colours, which are sRGB encoded (IEC 61966-2-1).
-Image decoded(const Image& window) {
-  Image out = window;
-  for (float& value : out.values())
-    value = value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-  return out;
 }
 
 /// How open a window shows each pixel to be, by its light between no diffuse light and all of it.
@@ -196,8 +256,10 @@ GGRADE_ITEM("figure.reflection", [](const View& view) {
                          {"uReflection", gg::say("reflection"), mirrors}});
 });
 
-GGRADE_PASS("figure.reflection",
-            [](const View& view) { return outputOf(view.trace, {"uReflection"}); });
+// The composition reads the Fresnel term, too.
+GGRADE_PASS("figure.reflection", [](const View& view) {
+  return outputOf(view.trace, {"uReflection", "uFresnel"});
+});
 
 GGRADE_ITEM("figure.composition", [](const View& view) {
   return pictures(view, {{"uComposition", gg::say("composition"), unoccludedSurfaces}});

@@ -84,6 +84,32 @@ GGRADE_ITEM("targets.once", [](const View& view) -> Verdict {
           gg::say("one pass draws {} textures; {}", kinds.textures.size(), kinds.verdict.message)};
 });
 
+/// Pixels that have less light than that.
+Mask darker(const Image& found, const Image& light, const Mask& region) {
+  Mask mask(found.width(), found.height());
+  for (int y = 0; y < found.height(); ++y)
+    for (int x = 0; x < found.width(); ++x)
+      for (int c = 0; c < 3; ++c)
+        if (region.at(x, y) && found.at(x, y, c) < std::min(light.at(x, y, c), 1.0f) - kTolerance)
+          mask.set(x, y);
+  return mask;
+}
+
+/// The objects' diffuse light in a texture, and from there, with or without other light, in the
+/// window.
+GGRADE_ITEM("targets.through", [](const View& view) {
+  const Texture& right = *wanted(view.scene, "uDiffuse");
+  const Mask& region = objects(view.scene, 0);
+  const Verdict texture =
+      bestMatch(view, right, region, gg::say("diffuse light"), ofObjects).verdict;
+  const double share = double(darker(view.frames.at(0), right.image, region).count()) /
+                       double(std::max<std::size_t>(region.count(), 1));
+  const Verdict shown{qualityOf(share),
+                      gg::say("the window has less than the diffuse light in {:.1f}% of {} pixels",
+                              100 * share, region.count())};
+  return passesOrPicture(texture.quality < shown.quality ? texture : shown, window(view));
+});
+
 /// Where a window without this kind of light would look different.
 Mask matters(const SceneEvidence& scene, const Texture& kind) {
   const Image& window = scene.reference.at(0);

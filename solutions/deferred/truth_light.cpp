@@ -137,14 +137,14 @@ std::vector<dvec3> lightOf(const World& world, const std::vector<truth::Surface>
         continue;
       }
       const Paint& paint = world.paint(surface);
+      const dvec3 share = fresnel(paint.straight, -glm::dot(surface.normal, view));
       dvec3 light(0);
       if (paint.albedo != dvec3(0)) {
         const double turn = 0.618034 * x + 0.754878 * y; // neighbours' rays lie between each other
-        light = paint.albedo / kPi *
+        light = (1.0 - share) * paint.albedo / kPi *
                 (visible ? visibleIrradiance(world, surface, sky, turn)
                          : open.irradiance(surface.normal));
       }
-      const dvec3 share = fresnel(paint.straight, -glm::dot(surface.normal, view));
       if (share != dvec3(0))
         light += share * dvec3(radiance(sky, glm::vec3(glm::reflect(view, surface.normal))));
       all.push_back(light);

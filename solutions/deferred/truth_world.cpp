@@ -123,6 +123,8 @@ std::vector<bool> smooth(const World& world, const std::vector<truth::Surface>& 
 
 Sky skyOf(const json& scene) {
   Sky sky;
+  if (scene.at("sky").at("uniform").get<bool>())
+    sky.zenith = sky.horizon = sky.ground = glm::vec3(0.5f), sky.glow = 0;
   const dvec3 towards = truth::vector(scene, "/light/position");
   sky.sunDirection = towards == dvec3(0) ? glm::vec3(0, 1, 0) : glm::vec3(glm::normalize(towards));
   const auto brightness = float(truth::number(scene, "/sky/brightness"));

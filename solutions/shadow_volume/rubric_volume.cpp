@@ -87,6 +87,8 @@ GGRADE_ITEM("shadow_volume.far", counted);
 
 GGRADE_ITEM("shadow_volume.inside", counted);
 
+GGRADE_ITEM("shadow_volume.edges", counted);
+
 constexpr std::uint32_t kKeep = 0x1E00; // GL_KEEP
 
 bool counts(const trace::StepRecord& step) {

@@ -94,7 +94,8 @@ void app(const gg::Scene& scene) {
 
   gg::MeshData mesh = casterMesh(scene);
   std::vector<std::string> warnings;
-  const ClosedMesh caster = closedMesh(mesh, warnings);
+  ClosedMesh caster = closedMesh(mesh, warnings);
+  if (scene.integer("quality.search") == 1) caster.edges = sharedEdges(caster.faces);
   for (const std::string& warning : warnings)
     std::fprintf(stderr, "mesh %s: %s\n", scene.text("mesh").c_str(), warning.c_str());
   const World world = makeWorld(scene, mesh);
@@ -229,7 +230,7 @@ void app(const gg::Scene& scene) {
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
 
-    // To look at: the volumes in white, as long as V is held down.
+    // To look at: the volumes in white and orange, as long as V is held down.
     if (scene.flag("debug.volume") || glfwGetKey(window.handle(), GLFW_KEY_V) == GLFW_PRESS) {
       glDepthFunc(GL_LEQUAL);
       glDisable(GL_CULL_FACE);

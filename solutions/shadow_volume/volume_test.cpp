@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <random>
@@ -293,6 +294,43 @@ TEST(ShadowVolume, APlaneIsPositiveInFrontOfItsFace) {
   EXPECT_TRUE(stays(volume.vertices[0], {5, -3, 0.01f}));
   EXPECT_FALSE(stays(volume.vertices[0], {5, -3, -0.01f}));
   EXPECT_FALSE(stays(volume.vertices[3], {5, -3, 0.01f}));
+}
+
+/// Every half-edge in one edge, with another that runs the other way.
+void expectPaired(const std::vector<Edge>& edges, const std::vector<Face>& faces) {
+  std::vector<int> times(3 * faces.size());
+  const auto from = [&](std::uint32_t half) { return faces[half / 3][half % 3]; };
+  for (const Edge& edge : edges) {
+    EXPECT_EQ(from(edge.one), from(nextCorner(edge.other)));
+    EXPECT_EQ(from(edge.other), from(nextCorner(edge.one)));
+    ++times[edge.one], ++times[edge.other];
+  }
+  EXPECT_THAT(times, testing::Each(1));
+}
+
+TEST(SharedEdges, PairEveryHalfEdgeOfAClosedMesh) {
+  gg::MeshData touching = gg::box(); // two boxes that share an edge, in which four faces meet
+  add(touching, gg::box(), {1, 1, 0});
+  for (const gg::MeshData& mesh : {gg::box(), blocks(), touching, gg::torusKnot()}) {
+    const ClosedMesh known = closed(mesh);
+    const std::vector<Edge> found = sharedEdges(known.faces);
+    EXPECT_EQ(found.size(), known.edges.size());
+    expectPaired(found, known.faces);
+  }
+}
+
+TEST(SharedEdges, OfAHundredThousandFacesTakeNoMinute) {
+  std::vector<Face> faces; // a torus of 250 x 200 squares
+  const auto at = [](std::uint32_t i, std::uint32_t k) { return i % 250 * 200 + k % 200; };
+  for (std::uint32_t i = 0; i < 250; ++i)
+    for (std::uint32_t k = 0; k < 200; ++k) {
+      faces.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1)});
+      faces.push_back({at(i, k), at(i + 1, k + 1), at(i, k + 1)});
+    }
+  const auto begin = std::chrono::steady_clock::now();
+  const std::vector<Edge> edges = sharedEdges(faces);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+  EXPECT_THAT(edges, SizeIs(150000));
 }
 
 TEST(ClosedMesh, NothingIsSaidOfAGoodMesh) {

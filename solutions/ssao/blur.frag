@@ -16,9 +16,9 @@ void main() {
   vec3 position = positionAt(here()), normal = normalAt(here());
   // TODO(ssao.4): the average of the pixels at + i * to, i from -uReach to uReach.
   //   Given:  `at`, `to`, `position`, `normal`; uOcclusion, sameSurface(), windowPixel(pixel).
-  //   Do:     each pixel that there is weighs 1, the two outermost 1/2, so that the widths of 4, 8,
-  //           ... hold every number of dither() equally often; times sameSurface of its window
-  //           pixel. Divide by the sum of all weights.
+  //   Goal:   each pixel that there is weighs 1, the two outermost 1/2, so that the widths of 4, 8,
+  //           ... hold every number of dither() equally often; and the less, the less it shows the
+  //           same surface.
   //   Expect: no grain, and sharp edges.                                  (README.md, step 4)
   // BEGIN SOLUTION(ssao.4)
   float sum = 0.0, weights = 0.0;

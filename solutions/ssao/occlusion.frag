@@ -16,14 +16,21 @@ float dither() {
   return float(pixel.x + 4 * pixel.y) / 16.0;
 }
 
-// Point i of uSamples in the upper half of a ball of radius 1, z up. Directions are spread evenly
-// over the disc that they are seen in from above (Vogel's spiral), so that they are as dense as the
-// cosine with which light from them counts; lengths are spread evenly from 0 to 1.
+// Point i of uSamples in the upper half of a ball of radius 1, z up.
 //   turn: a share of a full turn by which all are turned about z
 vec3 inHemisphere(int i, float turn) {
+  vec3 point = vec3(0);
+  // TODO(ssao.2): spread the points over the half ball: their directions as densely as the cosine
+  //   with which light from there counts, their lengths evenly from 0 to 1, in no order that the
+  //   directions have, too.
+  //   Given:  i, uSamples, turn, kPi. Two sequences that do it stand in the handout.
+  //   Expect: nothing yet: the points are counted below.                    (README.md, step 2)
+  // BEGIN SOLUTION(ssao.2)
   float share = (float(i) + 0.5) / float(uSamples), angle = 2.3999632 * float(i) + 2.0 * kPi * turn;
   vec3 direction = vec3(sqrt(share) * vec2(cos(angle), sin(angle)), sqrt(1.0 - share));
-  return fract(0.7548777 * float(i) + 5.0 * turn + 1.0 / 32.0) * direction;
+  point = fract(0.7548777 * float(i) + 5.0 * turn + 1.0 / 32.0) * direction;
+  // END SOLUTION(ssao.2)
+  return point;
 }
 
 // Turns z into `axis` (of unit length).
@@ -46,13 +53,12 @@ float inRange(vec3 seen, vec3 position) {
 // The share of uSamples points about the surface that aren't hidden behind what the eye sees.
 float openByPoints(vec3 position, vec3 normal) {
   float hidden = 0.0;
-  // TODO(ssao.2): count the points that are.
+  // Then TODO(ssao.2) counts the points that are.
   //   Given:  frame(normal), inHemisphere(i, dither()), uRadius, pixelOf(point), inWindow(pixel),
   //           covered(pixel), positionAt(pixel), inRange(seen, position).
-  //   Do:     for each of the points position + uRadius * (frame * inHemisphere) that lies before
-  //           the eye (z < 0), in the window and not over the background: what is seen at its pixel
-  //           hides it if that is nearer to the eye, and above the surface: more than a hundredth
-  //           of uRadius in the normal's direction. Then add what inRange says.
+  //   Goal:   of the points about `position`, up to uRadius away, those that what is seen at their
+  //           pixel hides: it is nearer to the eye, and more than a hundredth of uRadius above the
+  //           surface's plane. Each counts as much as inRange says. What can't be known is open.
   //   Expect: dark and grainy where surfaces meet, with "debug": { "picture": 3 } and
   //           "quality": { "blur": 0 }.                                     (README.md, step 2)
   // BEGIN SOLUTION(ssao.2)

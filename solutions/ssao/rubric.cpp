@@ -217,7 +217,6 @@ Verdict applied(const View& view) {
 }
 
 GGRADE_ITEM("ssao.apply", moving(applied));
-GGRADE_ITEM("ssao.direct", moving(applied));
 
 Verdict byHorizons(const View& view) {
   const double least = best(view, [&](const Image& open) { return likeness(view, open); });
