@@ -376,6 +376,8 @@ private:
         if (other.signature.group == fault->signature.group) first = std::min(first, other.step);
       return first;
     };
+    if (step != step_)
+      std::erase_if(same, [&](const Fault* fault) { return firstShown(fault) < step_; });
     std::size_t latest = 0;
     for (const Fault* fault : same) latest = std::max(latest, firstShown(fault));
     std::erase_if(same, [&](const Fault* fault) { return firstShown(fault) != latest; });

@@ -226,7 +226,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     return all;
   }
   // Of those that aren't right one is to be mended first: the suspect; else, of those that
-  // change the earliest wrong picture, the one that changes what is wrong in it.
+  // change the earliest wrong picture, the one that changes what is wrong in it, or the last one.
   Row* culprit = nullptr;
   std::size_t earliest = 0;
   double most = -1;
@@ -243,7 +243,9 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
           return before.state == State::notBegun && before.seen;
         });
     if (!first[k] || (gap && !windows.empty())) continue;
-    const double overlap = judging.overlap(*first[k], k, should);
+    // Of an unfinished program the last step was not looked at before.
+    const bool isLast = k == should && should + 1 < judging.steps();
+    const double overlap = isLast ? 1 : judging.overlap(*first[k], k, should);
     if (!culprit || *first[k] < earliest || (*first[k] == earliest && overlap > most)) {
       culprit = &row;
       earliest = *first[k];
