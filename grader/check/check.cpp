@@ -333,6 +333,18 @@ private:
     return faults[0]->todo;
   }
 
+  /// Is the program wrong in all scenes in which this mistake is seen? Two may look alike where
+  /// nothing is drawn any more.
+  bool isWrongWhere(const Fault& fault) const {
+    const auto number = std::size_t(&fault - expected_.faults.data());
+    return std::ranges::all_of(fault.scenes, [&](std::size_t scene) {
+      return !shown_[scene] ||
+             !diagnosis::firstWrong({viewsOf(expected_, number, scene)},
+                                    {expected_.steps[fault.step][scene]}) ||
+             diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]});
+    });
+  }
+
   /// The mistakes that show the same as the program, in one scene, among those in a program that
   /// has done so many TODOs: of those that are begun the ones that show last.
   std::vector<const Fault*> showingTheSame(std::size_t scene, std::size_t step) const {
@@ -367,7 +379,8 @@ private:
     for (const std::size_t i : alike) {
       // An unfinished program is no mistake, unless somebody has done that step already.
       if (i >= faults.size() && step != step_) return {};
-      if (i < faults.size() && begun_.count(faults[i]->todo)) same.push_back(faults[i]);
+      if (i < faults.size() && begun_.count(faults[i]->todo) && isWrongWhere(*faults[i]))
+        same.push_back(faults[i]);
     }
     // What showed after an earlier step was looked at then.
     const auto firstShown = [&](const Fault* fault) {
@@ -376,8 +389,6 @@ private:
         if (other.signature.group == fault->signature.group) first = std::min(first, other.step);
       return first;
     };
-    if (step != step_)
-      std::erase_if(same, [&](const Fault* fault) { return firstShown(fault) < step_; });
     std::size_t latest = 0;
     for (const Fault* fault : same) latest = std::max(latest, firstShown(fault));
     std::erase_if(same, [&](const Fault* fault) { return firstShown(fault) != latest; });
@@ -453,11 +464,6 @@ private:
     // Beside a puzzle it stays among the messages, told at once.
     if (!checked_.isPuzzle) found.insert(found.end(), said.begin(), said.end());
     if (!change_.empty()) found.push_back(change_);
-    if (found.empty() && checked_.firstWrong) {
-      found.push_back(say("none of the known mistakes shows this picture"));
-      found.push_back(say("Put your picture beside the expected one, on the page: where do they "
-                          "differ, and since which line? Take that line out: what changes?"));
-    }
     if (found.empty()) return;
     checked_.cause = capitalized(found.front());
     checked_.hint.clear();

@@ -46,7 +46,8 @@ std::string ended(const std::string& text) {
 /// So much of the cause as is told, and how to be told more.
 std::string causeOf(const Looked& looked, const std::string& ask) {
   const Checked& checked = looked.checked;
-  if (checked.cause.empty()) return {};
+  if (checked.cause.empty())
+    return hasWrong(checked) && checked.firstWrong ? unknownCause() + '\n' : std::string();
   const std::string hint = ended(withPaths(checked.hint, looked.folder));
   const Level last = lastLevel(checked);
   if (last == Level::where)

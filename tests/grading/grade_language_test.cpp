@@ -67,7 +67,7 @@ TEST(Language, OfCommentsIsWorthNothing) {
     ASSERT_EQ(runTool({"derive", "mirror", "--done", "5", "--lang", language, "--out", step.path()})
                   .exitCode,
               0);
-    EXPECT_EQ(read(step.path() / "floor.cpp").find("Given:") == std::string::npos,
+    EXPECT_EQ(read(step.path() / "mirror.hpp").find("Given:") == std::string::npos,
               language == "ja");
     const Graded graded = gradeByTool(step.path());
     EXPECT_EQ(graded.outcome(), "graded");

@@ -128,7 +128,7 @@ TEST_F(Check, KnowsAStepWhoseCommentsAreJapanese) {
         runTool({"derive", "mirror", "--done", todos, "--lang", "ja", "--out", folder->path()})
             .exitCode,
         0);
-  ASSERT_THAT(read(step.path() / "floor.cpp"), HasSubstr("// TODO(mirror.5): 鏡では"));
+  ASSERT_THAT(read(step.path() / "mirror.hpp"), HasSubstr("// TODO(mirror.5): 鏡では"));
   const TemporaryFolder japanese;
   fs::copy(expected(), japanese.path(), fs::copy_options::recursive);
   fs::copy(handedOut.path(), japanese.path() / "mirror/handed_out",

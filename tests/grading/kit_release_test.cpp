@@ -67,7 +67,7 @@ TEST(Release, TodosThatAreNotNamedComeFilledIn) {
   EXPECT_THAT(program,
               AllOf(HasSubstr("// TODO(mirror.4): y = 0の平面での物体の鏡像を描画する。\n"),
                     Not(HasSubstr("Given:"))));
-  EXPECT_EQ(read(kit / "expected/mirror/handed_out/floor.cpp"), program);
+  EXPECT_EQ(read(kit / "expected/mirror/handed_out/mirror.hpp"), program);
   EXPECT_TRUE(fs::exists(kit / ".devcontainer/devcontainer.json"));
   EXPECT_TRUE(fs::exists(kit / ".devcontainer/Dockerfile"));
   const fs::path expected = kit / "expected";

@@ -64,7 +64,7 @@ TEST_F(Wrapper, SaysWhatThereIsBeforeAnythingIsBuilt) {
   for (const char* command : {"run", "check", "compare", "test"}) expectCommand(command);
   // And all that the tool's programs have.
   int count = 0;
-  for (const char* program : {"ggrade", "ggrade-author"}) {
+  for (const char* program : {"ggrade", "ggrade-look", "ggrade-author"}) {
     std::istringstream lines(Running({kBuild / "bin" / program, "--help"}).wait(100).out);
     std::string line;
     while (std::getline(lines, line) && line != "Subcommands:") {
