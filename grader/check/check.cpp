@@ -17,7 +17,6 @@
 
 #include <chrono>
 #include <sstream>
-#include <utility>
 
 namespace ggrade::check {
 
@@ -104,26 +103,6 @@ bool showsTheSame(const SceneViews& a, const SceneViews& b) {
                                return other && diagnosis::alike(&pass.picture, &other->picture);
                              }) &&
          sameWindows(a, b);
-}
-
-/// Of files that a compiler may misread: the second byte of some characters of Shift_JIS is a
-/// backslash, which joins two lines. Names all, after the place of the first; empty: there are
-/// none.
-std::string wrongEncoding(const Assignment& assignment, const fs::path& folder) {
-  std::string message, separator = ": ";
-  for (const std::string& name : grading::ownFiles(assignment, folder)) {
-    const std::string text = readFile(folder / name);
-    const std::size_t valid = report::validUtf8(text);
-    if (valid == text.size()) continue;
-    if (message.empty())
-      message = say(
-          "{}:{}: warning: this file is not UTF-8; it may be Shift_JIS, of which some characters "
-          "swallow the next line when they end a comment. Save it as UTF-8 (in Visual Studio "
-          "Code: the encoding at the bottom right, then \"Save with Encoding\")",
-          name, 1 + std::ranges::count(text.substr(0, valid), '\n'));
-    message += std::exchange(separator, ", ") + name;
-  }
-  return message;
 }
 
 /// One look, step by step.
@@ -218,15 +197,10 @@ private:
 
   /// What needs no picture to be told.
   Observed observed() const {
-    std::vector<std::string> errors, todos;
-    for (const channel::CapturedMessage& message : glMessages_)
-      // What is drawn into an incomplete framebuffer object fails where it is drawn.
-      if (message.kind == channel::MessageKind::glError &&
-          message.text.find("GL_INVALID_FRAMEBUFFER_OPERATION") == message.text.npos)
-        errors.push_back(message.text);
+    std::vector<std::string> todos;
     for (const Part& part : assignment_.parts)
       for (const Todo& todo : part.todos) todos.push_back(todo.id);
-    return observe(expected_, step_, trace_, checked_.messages, errors, todos, folder_);
+    return observe(expected_, step_, trace_, checked_.messages, glMessages_, todos, folder_);
   }
 
   /// Keeps what one scene shows, if it could be drawn.

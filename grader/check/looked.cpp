@@ -69,11 +69,6 @@ std::string nameOf(State state) {
   return say("not begun");
 }
 
-std::string unknownCause() {
-  return say("No known mistake shows this picture. Put it beside the expected one, on the page: "
-             "where do they differ, and since which line? Take that line out: what changes?");
-}
-
 std::size_t doneRows(const Checked& checked) {
   return std::size_t(std::ranges::count(checked.rows, State::done, &Row::state));
 }

@@ -28,9 +28,6 @@ bool hasWrong(const Checked& checked);
 
 const Todo& todoOf(const Part& part, const std::string& id);
 
-/// What to do about a wrong picture whose cause isn't known.
-std::string unknownCause();
-
 /// "done", "wrong", "not begun" and so on, in the chosen language.
 std::string nameOf(State state);
 

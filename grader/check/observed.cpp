@@ -1,13 +1,16 @@
 #include "check/observed.hpp"
 
 #include "check/places.hpp"
+#include "grading/overlay.hpp"
+#include "report/text.hpp"
 #include "words/words.hpp"
 
 #include <algorithm>
-#include <optional>
+#include <utility>
 
 namespace ggrade::check {
 
+namespace fs = std::filesystem;
 using gg::say;
 
 namespace {
@@ -43,7 +46,7 @@ std::vector<std::string> samplerFaults(const Expected& expected, std::size_t ste
 
 /// The first TODO in whose lines one of these lies.
 std::string firstTodo(const std::vector<std::string>& texts, const std::vector<std::string>& todos,
-                      const Expected& expected, const std::filesystem::path& folder) {
+                      const Expected& expected, const fs::path& folder) {
   for (const std::string& text : texts) {
     const std::string todo = todoAt(text, todos, stubFolder(expected.folder), folder);
     if (std::ranges::find(expected.todos, todo) != expected.todos.end()) return todo;
@@ -58,8 +61,9 @@ std::string doctorsPrefix() {
 }
 
 Observed observe(const Expected& expected, std::size_t step, const trace::Trace& trace,
-                 const std::vector<std::string>& messages, const std::vector<std::string>& errors,
-                 const std::vector<std::string>& todos, const std::filesystem::path& folder) {
+                 const std::vector<std::string>& messages,
+                 const std::vector<channel::CapturedMessage>& captured,
+                 const std::vector<std::string>& todos, const fs::path& folder) {
   Observed observed;
   const std::string frustum = frustumFault(expected.frustum, trace);
   if (!frustum.empty()) observed.faults.push_back(frustum);
@@ -77,11 +81,34 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
   for (std::string& fault : samplerFaults(expected, step, trace))
     observed.faults.push_back(std::move(fault));
 
+  std::vector<std::string> errors;
+  for (const channel::CapturedMessage& message : captured)
+    // What is drawn into an incomplete framebuffer object fails where it is drawn.
+    if (message.kind == channel::MessageKind::glError &&
+        message.text.find("GL_INVALID_FRAMEBUFFER_OPERATION") == message.text.npos)
+      errors.push_back(message.text);
   observed.todo =
       frustum.empty() ? firstTodo(errors, todos, expected, folder) : expected.frustum.todo;
   observed.isSure = !observed.todo.empty();
   if (observed.todo.empty()) observed.todo = firstTodo(observed.faults, todos, expected, folder);
   return observed;
+}
+
+std::string wrongEncoding(const Assignment& assignment, const fs::path& folder) {
+  std::string message, separator = ": ";
+  for (const std::string& name : grading::ownFiles(assignment, folder)) {
+    const std::string text = readFile(folder / name);
+    const std::size_t valid = report::validUtf8(text);
+    if (valid == text.size()) continue;
+    if (message.empty())
+      message = say(
+          "{}:{}: warning: this file is not UTF-8; it may be Shift_JIS, of which some characters "
+          "swallow the next line when they end a comment. Save it as UTF-8 (in Visual Studio "
+          "Code: the encoding at the bottom right, then \"Save with Encoding\")",
+          name, 1 + std::ranges::count(text.substr(0, valid), '\n'));
+    message += std::exchange(separator, ", ") + name;
+  }
+  return message;
 }
 
 } // namespace ggrade::check

@@ -3,6 +3,7 @@
 /// What a run tells without a look at its pictures: the state that OpenGL was in, what the frame
 /// doctor found, what samplers read, where the frustum lies.
 
+#include "capture/channel_reader.hpp"
 #include "check/expected.hpp"
 
 #include <string>
@@ -24,10 +25,16 @@ std::string doctorsPrefix();
 
 /// Of the public scene.
 ///   step: TODOs that the program should have done;  messages: what it and OpenGL said
-///   errors: those of OpenGL, with the lines of their calls
-///   todos: of all parts;  folder: the student's files
+///   captured: with the lines of calls that failed;  todos: of all parts
+///   folder: the student's files
 Observed observe(const Expected& expected, std::size_t step, const trace::Trace& trace,
-                 const std::vector<std::string>& messages, const std::vector<std::string>& errors,
+                 const std::vector<std::string>& messages,
+                 const std::vector<channel::CapturedMessage>& captured,
                  const std::vector<std::string>& todos, const std::filesystem::path& folder);
+
+/// Of files that a compiler may misread: the second byte of some characters of Shift_JIS is a
+/// backslash, which joins two lines. Names all, after the place of the first; empty: there are
+/// none.
+std::string wrongEncoding(const Assignment& assignment, const std::filesystem::path& folder);
 
 } // namespace ggrade::check

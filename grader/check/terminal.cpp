@@ -47,7 +47,12 @@ std::string ended(const std::string& text) {
 std::string causeOf(const Looked& looked, const std::string& ask) {
   const Checked& checked = looked.checked;
   if (checked.cause.empty())
-    return hasWrong(checked) && checked.firstWrong ? unknownCause() + '\n' : std::string();
+    return hasWrong(checked) && checked.firstWrong
+               ? say("No known mistake shows this picture. Put it beside the expected one, on the "
+                     "page: where do they differ, and since which line? Take that line out: what "
+                     "changes?") +
+                     '\n'
+               : std::string();
   const std::string hint = ended(withPaths(checked.hint, looked.folder));
   const Level last = lastLevel(checked);
   if (last == Level::where)
