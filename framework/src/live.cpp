@@ -48,7 +48,7 @@ void Live::frameEnds(const glm::ivec2& size) {
   reportErrors(std::string(words("this frame")).c_str());
   firstFrame_.shown();
   const std::vector<GLuint> written = detail::frameEnds(size);
-  if (tiles_) overlay().tiles(size, attachmentsOf(written, knownTextures()), cameraRange);
+  if (tiles_) overlay().tiles(size, attachmentsOf(written, knownTextures()));
   const Reloaded reloaded = reloadPrograms();
   showErrors(reloaded.errors, size);
   if (save_) save(size);

@@ -12,9 +12,6 @@
 
 namespace gg::detail {
 
-/// Distances of the scene's near and far planes.
-inline glm::vec2 cameraRange{0.1f, 100};
-
 /// Keys: T shows every texture of the frame; space stops the time, the arrow keys step it by a
 /// tenth of a second; F12 saves the picture.
 class Live {

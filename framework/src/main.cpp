@@ -41,7 +41,6 @@ void run(const gg::detail::Arguments& arguments) {
       throw gg::detail::UsageError(gg::say("--mesh: this assignment has no mesh to choose"));
     scene.setText("mesh", meshFromHere(*arguments.mesh));
   }
-  gg::detail::cameraRange = {scene.camera.near, scene.camera.far};
   app(scene);
 }
 

@@ -23,8 +23,13 @@ uniform int uShown; // as Overlay::Shown
 uniform int uLevel;
 uniform bool uGrey; // one channel only
 uniform vec4 uTile;  // corner and size, pixels
-uniform vec2 uRange; // near and far
+uniform vec2 uDepth; // the nearest and the farthest that was drawn
 layout(location = 0) out vec4 oColor;
+
+// Even steps of distance; as the grader's pictures of depth are made (trace::evenDepth).
+float evenDepth(float depth) {
+  return -log2(1.0 - clamp(depth, 0.0, 1.0) + exp2(-12.0)) / 12.0;
+}
 
 void main() {
   vec2 at = (gl_FragCoord.xy - uTile.xy) / uTile.zw;
@@ -38,11 +43,8 @@ void main() {
     vec4 found = texelFetch(uImage, texel, uLevel);
     color = uGrey ? found.rrr : found.rgb;
     if (uShown == 1) color = max(color, 0.0) / (1.0 + max(color, 0.0));
-    if (uShown == 2) {
-      float z = 2.0 * found.r - 1.0;
-      float away = 2.0 * uRange.x * uRange.y / (uRange.y + uRange.x - z * (uRange.y - uRange.x));
-      color = vec3((away - uRange.x) / (uRange.y - uRange.x));
-    }
+    float low = evenDepth(uDepth.x), range = max(evenDepth(uDepth.y) - low, 1e-6);
+    if (uShown == 2) color = vec3(found.r < 1.0 ? (evenDepth(found.r) - low) / range : 1.0);
   }
   oColor = vec4(color, 1);
 })";
@@ -68,7 +70,8 @@ public:
     }
     for (std::size_t i = 0; i < std::size(kStores); ++i) {
       stores_[i] = ask(kStores[i]);
-      glPixelStorei(kStores[i], i == 0 ? 4 : 0);
+      const bool isAlignment = kStores[i] == GL_UNPACK_ALIGNMENT || kStores[i] == GL_PACK_ALIGNMENT;
+      glPixelStorei(kStores[i], isAlignment ? 4 : 0);
     }
     for (GLenum unit = 0; unit < 2; ++unit) {
       glActiveTexture(GL_TEXTURE0 + unit);
@@ -77,6 +80,7 @@ public:
     }
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
   }
@@ -92,6 +96,7 @@ public:
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(drawn_));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(read_));
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(unpacked_));
+    glBindBuffer(GL_PIXEL_PACK_BUFFER, static_cast<GLuint>(packed_));
     glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
     glColorMask(mask_[0], mask_[1], mask_[2], mask_[3]);
     glPolygonMode(GL_FRONT_AND_BACK, static_cast<GLenum>(polygons_[0]));
@@ -107,11 +112,13 @@ private:
                                          GL_CULL_FACE,      GL_STENCIL_TEST,
                                          GL_SCISSOR_TEST,   GL_FRAMEBUFFER_SRGB,
                                          GL_COLOR_LOGIC_OP, GL_RASTERIZER_DISCARD};
-  static constexpr GLenum kStores[] = {GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH,
-                                       GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS};
+  static constexpr GLenum kStores[] = {
+      GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_ROWS,
+      GL_PACK_ALIGNMENT,   GL_PACK_ROW_LENGTH,   GL_PACK_SKIP_PIXELS,   GL_PACK_SKIP_ROWS};
   GLint program_ = ask(GL_CURRENT_PROGRAM), vertices_ = ask(GL_VERTEX_ARRAY_BINDING),
         unit_ = ask(GL_ACTIVE_TEXTURE), drawn_ = ask(GL_DRAW_FRAMEBUFFER_BINDING),
-        read_ = ask(GL_READ_FRAMEBUFFER_BINDING), unpacked_ = ask(GL_PIXEL_UNPACK_BUFFER_BINDING);
+        read_ = ask(GL_READ_FRAMEBUFFER_BINDING), unpacked_ = ask(GL_PIXEL_UNPACK_BUFFER_BINDING),
+        packed_ = ask(GL_PIXEL_PACK_BUFFER_BINDING);
   GLint viewport_[4], polygons_[2], textures_[2], samplers_[2], stores_[std::size(kStores)];
   GLboolean mask_[4], on_[std::size(kSwitches)];
 };
@@ -165,6 +172,18 @@ GLint askLevel(GLint level, GLenum name) {
   return value;
 }
 
+// The nearest and the farthest depth of a level of the texture that is bound, but for what is 1, as
+// it is after clearing; 0 and 1 where there is nothing else.
+glm::vec2 depthsDrawn(GLint level) {
+  std::vector<float> depths(static_cast<std::size_t>(askLevel(level, GL_TEXTURE_WIDTH)) *
+                            static_cast<std::size_t>(askLevel(level, GL_TEXTURE_HEIGHT)));
+  glGetTexImage(GL_TEXTURE_2D, level, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  glm::vec2 drawn(1, 0);
+  for (const float depth : depths)
+    if (depth < 1) drawn = {std::min(drawn.x, depth), std::max(drawn.y, depth)};
+  return drawn.x > drawn.y ? glm::vec2(0, 1) : drawn;
+}
+
 } // namespace
 
 std::vector<Attachment> attachmentsOf(const std::vector<GLuint>& framebuffers,
@@ -209,7 +228,7 @@ Overlay::Overlay() {
 }
 
 void Overlay::draw(GLuint texture, GLint level, Shown shown, const glm::ivec2& corner,
-                   const glm::ivec2& size, const glm::vec2& range) {
+                   const glm::ivec2& size) {
   const GLuint unit = shown == Shown::whole ? 1 : 0;
   glActiveTexture(GL_TEXTURE0 + unit);
   glBindTexture(GL_TEXTURE_2D, texture);
@@ -220,7 +239,10 @@ void Overlay::draw(GLuint texture, GLint level, Shown shown, const glm::ivec2& c
   glUniform1i(at("uLevel"), level);
   glUniform1i(at("uGrey"), askLevel(level, GL_TEXTURE_GREEN_SIZE) == 0);
   glUniform4f(at("uTile"), float(corner.x), float(corner.y), float(size.x), float(size.y));
-  glUniform2f(at("uRange"), range.x, range.y);
+  if (shown == Shown::depth) {
+    const glm::vec2 drawn = depthsDrawn(level);
+    glUniform2f(at("uDepth"), drawn.x, drawn.y);
+  }
   glViewport(corner.x, corner.y, size.x, size.y);
   glBindVertexArray(noVertices_);
   glDrawArrays(GL_TRIANGLES, 0, 3);
@@ -243,8 +265,7 @@ void Overlay::text(const glm::ivec2& window, const std::string& text, int scale)
   drawText(window, {0, 0}, text, scale, window.x);
 }
 
-void Overlay::tiles(const glm::ivec2& window, const std::vector<Attachment>& attachments,
-                    const glm::vec2& range) {
+void Overlay::tiles(const glm::ivec2& window, const std::vector<Attachment>& attachments) {
   const Restore restore;
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, picture_);
@@ -266,7 +287,7 @@ void Overlay::tiles(const glm::ivec2& window, const std::vector<Attachment>& att
                           askLevel(one.level, GL_TEXTURE_HEIGHT));
     const GLint type = askLevel(one.level, GL_TEXTURE_RED_TYPE);
     const bool isDepth = askLevel(one.level, GL_TEXTURE_DEPTH_SIZE) > 0;
-    const Shown shown = isDepth                   ? size == window ? Shown::distance : Shown::asIs
+    const Shown shown = isDepth                   ? Shown::depth
                         : type == GL_UNSIGNED_INT ? Shown::whole
                         : type == GL_FLOAT        ? Shown::highRange
                                                   : Shown::asIs;
@@ -280,7 +301,7 @@ void Overlay::tiles(const glm::ivec2& window, const std::vector<Attachment>& att
     const float scale = std::min(room.x / float(size.x), room.y / float(size.y));
     const glm::ivec2 shownSize = glm::max(glm::ivec2(scale * glm::vec2(size)), 1);
     draw(one.texture, one.level, shown, {topLeft.x, window.y - topLeft.y - below - shownSize.y},
-         shownSize, range);
+         shownSize);
   }
 }
 

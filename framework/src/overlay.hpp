@@ -34,16 +34,14 @@ public:
   void text(const glm::ivec2& window, const std::string& text, int scale);
 
   /// All these textures, and the window's picture first, side by side, each with its name, size and
-  /// format. High range is shown as x / (1 + x). Depth that is as large as the window is shown as
-  /// distance from the near plane, 0, to the far plane, 1; other depth as it is.
-  ///   range: distances of the near and far planes
-  void tiles(const glm::ivec2& window, const std::vector<Attachment>& attachments,
-             const glm::vec2& range);
+  /// format. High range is shown as x / (1 + x). Depth is shown in even steps of distance: black is
+  /// the nearest that was drawn, white the farthest and what was only cleared.
+  void tiles(const glm::ivec2& window, const std::vector<Attachment>& attachments);
 
 private:
-  enum class Shown { asIs, highRange, distance, whole };
+  enum class Shown { asIs, highRange, depth, whole };
   void draw(GLuint texture, GLint level, Shown shown, const glm::ivec2& corner,
-            const glm::ivec2& size, const glm::vec2& range = {0, 1});
+            const glm::ivec2& size);
   /// Returns its height, pixels.
   int drawText(const glm::ivec2& window, const glm::ivec2& topLeft, const std::string& text,
                int scale, int width);

@@ -47,6 +47,12 @@ bool hasWrong(const Checked& checked) {
   return std::ranges::find(checked.rows, State::wrong, &Row::state) != checked.rows.end();
 }
 
+std::string unknownCause(const Checked& checked) {
+  if (!checked.cause.empty() || !hasWrong(checked) || !checked.firstWrong) return {};
+  return say("No known mistake shows this picture. Put it beside the expected one: where do "
+                 "they differ, and since which line? Take that line out: what changes?");
+}
+
 const Todo& todoOf(const Part& part, const std::string& id) {
   return *std::ranges::find(part.todos, id, &Todo::id);
 }

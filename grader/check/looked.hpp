@@ -26,6 +26,9 @@ const Row* rowToLookAt(const Checked& checked);
 /// Are there rows that are wrong?
 bool hasWrong(const Checked& checked);
 
+/// What to do about a wrong picture of which no cause is known; empty for everything else.
+std::string unknownCause(const Checked& checked);
+
 const Todo& todoOf(const Part& part, const std::string& id);
 
 /// "done", "wrong", "not begun" and so on, in the chosen language.

@@ -35,6 +35,20 @@ std::string uriOf(const Image& image) {
   return report::pngDataUri(shown);
 }
 
+/// A picture of depth as all others show it: black is the nearest and white the farthest that
+/// `range` shows, a picture of `trace::evenDepth`, and what is 1. Others stay.
+Image between(Image image, const Image& range) {
+  if (image.channels() != 1 || range.channels() != 1) return image;
+  float nearest = 1, farthest = 0;
+  for (const float depth : range.values())
+    if (depth >= 0 && depth < 1)
+      nearest = std::min(nearest, depth), farthest = std::max(farthest, depth);
+  if (nearest >= farthest) return image;
+  for (float& depth : image.values())
+    if (depth < 1) depth = (depth - nearest) / (farthest - nearest);
+  return image;
+}
+
 json figure(const std::string& caption, const Image& image) {
   return {{"caption", sanitizeLine(caption)},
           {"uri", uriOf(image)},
@@ -69,10 +83,11 @@ json partOf(const Looked& looked) {
     add(say("with all steps done"), checked.finishedWindow);
   }
   if (const auto& first = checked.firstWrong) {
-    wrong.push_back(figure(say("yours: {}", first->name), first->ours));
+    const Image& range = first->expected.empty() ? first->ours : first->expected;
+    wrong.push_back(figure(say("yours: {}", first->name), between(first->ours, range)));
     wrong.push_back(figure(hasWrong(checked) ? say("as it should be now")
                                              : say("the reference's after this step"),
-                           first->expected));
+                           between(first->expected, range)));
   }
   const bool hasOutput =
       outcome == results::Outcome::buildFailed || outcome == results::Outcome::shaderError;
@@ -92,6 +107,7 @@ json partOf(const Looked& looked) {
           {"isTold", !isPuzzle && !checked.cause.empty()},
           {"isPuzzle", isPuzzle},
           {"fault", sanitizeLine(identityOf(checked), kLongestIdentity)},
+          {"unknown", unknownCause(checked)},
           {"cause", withPaths(checked.cause, looked.folder)},
           {"look", lookOf(checked)},
           {"hint", withPaths(checked.hint, looked.folder)},

@@ -46,13 +46,7 @@ std::string ended(const std::string& text) {
 /// So much of the cause as is told, and how to be told more.
 std::string causeOf(const Looked& looked, const std::string& ask) {
   const Checked& checked = looked.checked;
-  if (checked.cause.empty())
-    return hasWrong(checked) && checked.firstWrong
-               ? say("No known mistake shows this picture. Put it beside the expected one, on the "
-                     "page: where do they differ, and since which line? Take that line out: what "
-                     "changes?") +
-                     '\n'
-               : std::string();
+  if (checked.cause.empty()) return ended(unknownCause(checked));
   const std::string hint = ended(withPaths(checked.hint, looked.folder));
   const Level last = lastLevel(checked);
   if (last == Level::where)

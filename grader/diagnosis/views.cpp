@@ -1,5 +1,6 @@
 #include "diagnosis/views.hpp"
 
+#include "trace/picture.hpp"
 #include "words/words.hpp"
 
 #include <algorithm>
@@ -141,8 +142,7 @@ Image reduced(const Image& image, int channels) {
 Image stretchedDepth(const Image& depth) {
   Image out = depth;
   for (float& value : out.values())
-    value = std::isfinite(value) ? -std::log2(1 - std::clamp(value, 0.0f, 1.0f) + 0x1p-12f) / 12.0f
-                                 : -1.0f;
+    value = std::isfinite(value) ? float(trace::evenDepth(value)) : -1.0f;
   return out;
 }
 

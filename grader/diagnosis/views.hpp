@@ -65,8 +65,7 @@ Image reduced(const Image& image, int channels);
 /// The mean colours at another size, for pictures that were made at different sizes.
 Image resized(const Image& image, int width, int height);
 
-/// Depth 0 to 1 as -log2(1 - depth + 2^-12) / 12: even steps of distance in place of the last
-/// thousandths where a perspective puts everything.
+/// `trace::evenDepth` of each value; -1 for one that is no number.
 Image stretchedDepth(const Image& depth);
 
 /// Writes views in 16 bits a value, compressed. A picture of `base` (same slot or frame) that looks

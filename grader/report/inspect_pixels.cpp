@@ -107,7 +107,7 @@ PagePixelsOfFrame pagePixels(const FrameGraph& graph, const std::vector<std::uin
     pixels.scale = shown.scale;
     pixels.low = shown.low;
     pixels.high = shown.high;
-    if (shown.scale.starts_with("linear depth"))
+    if (shown.scale.starts_with("stretched depth by "))
       pixels.depth = depthScale(trace, graph.pass(copy->pass));
     if (std::ranges::binary_search(mains, std::uint32_t(copy - trace.copies.data())))
       pixels.thumbnail = pngDataUri(thumbnail(shown.rgb, kThumbnailSide, kThumbnailSide));

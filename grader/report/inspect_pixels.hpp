@@ -21,7 +21,7 @@ struct PagePixels {
   std::string values;    ///< base64 of `packedValues`; empty: left out
   std::string scale;     ///< what the picture's values mean, see trace/picture.hpp
   double low = 0, high = 1;
-  std::optional<trace::DepthScale> depth; ///< when `scale` is linear depth
+  std::optional<trace::DepthScale> depth; ///< when `scale` is "stretched depth by ..."
   std::string range;      ///< "0 to 3.5": of all finite values, alpha apart; "0.25 everywhere"
   std::string notANumber; ///< "12 pixels hold NaN or Inf, the first ..."; empty: none
   bool uniform = false;   ///< every pixel holds the same values

@@ -84,22 +84,20 @@ CopyPicture integerPicture(const Image& from) {
 
 CopyPicture depthPicture(const Image& from, const std::optional<DepthScale>& scale) {
   CopyPicture result{Image(from.width(), from.height(), 3), "stretched depth", 0, 1};
-  if (scale) result.scale = "linear depth by " + scale->matrix;
-  const auto shown = [&](float depth) { return scale ? scale->distance(depth) : double(depth); };
-  const auto cleared = [&](float depth) { return depth >= 1 || !std::isfinite(shown(depth)); };
-  double low = std::numeric_limits<double>::infinity(), high = -low;
+  float nearest = 1, farthest = 0;
   for (const float depth : from.values()) {
-    if (!std::isfinite(depth) || cleared(depth)) continue;
-    low = std::min(low, shown(depth));
-    high = std::max(high, shown(depth));
+    if (!(depth < 1)) continue; // only cleared, or no number
+    nearest = std::min(nearest, depth);
+    farthest = std::max(farthest, depth);
   }
-  if (low <= high) {
-    result.low = low;
-    result.high = high;
+  if (nearest <= farthest) {
+    result.low = scale ? scale->distance(nearest) : nearest;
+    result.high = scale ? scale->distance(farthest) : farthest;
   }
-  const double range = result.high > result.low ? result.high - result.low : 1;
+  if (scale) result.scale += " by " + scale->matrix;
+  const double low = evenDepth(nearest), range = std::max(evenDepth(farthest) - low, 1e-9);
   forEachPixel(from, result.rgb, [&](std::span<const float> values, std::span<float> to) {
-    const double grey = cleared(values[0]) ? 1 : (shown(values[0]) - result.low) / range;
+    const double grey = values[0] < 1 ? (evenDepth(values[0]) - low) / range : 1;
     std::fill(to.begin(), to.end(), float(std::clamp(grey, 0.0, 1.0)));
   });
   return result;
@@ -137,6 +135,10 @@ bool isPureProjection(const MatrixRecord& matrix) {
 }
 
 } // namespace
+
+double evenDepth(double depth) {
+  return -std::log2(1 - std::clamp(depth, 0.0, 1.0) + 0x1p-12) / 12;
+}
 
 std::optional<DepthScale> depthScale(const Trace& trace, const PassRecord& pass) {
   std::optional<DepthScale> product;

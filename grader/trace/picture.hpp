@@ -16,13 +16,19 @@ struct CopyPicture {
   /// What the picture's values mean:
   /// - "as stored": 0 to 1, values beyond clamped.
   /// - "divided by the greatest value": of colours above 1; black is 0, white `high`.
-  /// - "linear depth by NAME": distance from the eye, found through the matrix NAME; black is `low`
-  ///   (the nearest), white `high` and everything that was only cleared.
-  /// - "stretched depth": depth as stored; black is `low`, white `high` and everything at 1.
+  /// - "stretched depth": `evenDepth` between the nearest that was drawn, black, and the farthest,
+  ///   white, as everything at 1 is; `low` and `high` are their depths as stored.
+  /// - "stretched depth by NAME": the same picture; `low` and `high` are distances from the eye,
+  ///   found through the matrix NAME.
   /// - "a colour a value": integers and stencil; black is 0, equal colours are equal values.
   std::string scale;
   double low = 0, high = 1;
 };
+
+/// Depth 0 to 1 as -log2(1 - depth + 2^-12) / 12, from 0 to 1: even steps of distance in place of
+/// the last thousandths where a perspective puts everything. All pictures of depth are made of it,
+/// also those of the running program (framework/src/overlay.cpp).
+double evenDepth(double depth);
 
 /// Throws UsageError when the file of copies can't be read.
 CopyPicture picture(const Trace& trace, const CopyRecord& copy);

@@ -197,16 +197,9 @@ double textureQuality(const Image& found, const WantedTexture& wanted, std::stri
   return comparison.compared() ? qualityOf(share) : 0;
 }
 
-GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
-  const WantedTexture& wanted = wantedTexture(view.scene);
-  Verdict best{0, gg::say("no pass samples a texture that objects were drawn into")};
-  for (const Image& found : objectTextures(view.trace)) {
-    std::string message;
-    const double quality = textureQuality(found, wanted, message);
-    if (quality >= best.quality) best = {quality, message};
-  }
+/// A reflection that is made in another way is right if the floor is, all of it.
+Verdict orTheFloor(const View& view, const Verdict& best) {
   if (best.quality >= 1) return best;
-  // A reflection that is made in another way is right if the floor is, all of it.
   const Mask& floor = regionsOf(view.scene, 0).floor;
   CompareOptions options;
   options.mask = &floor;
@@ -218,6 +211,48 @@ GGRADE_ITEM("mirror.texture", [](const View& view) -> Verdict {
   return {quality, gg::say("{}; but the floor counts: {:.1f}% as many of its "
                            "pixels differ as reflect objects{}",
                            best.message, 100 * share, densestAt(comparison.densest))};
+}
+
+/// Does a pass draw all of its texture, and nothing of the frame before?
+Verdict fillsTexture(const trace::PassRecord& pass, std::uint32_t attachment) {
+  const trace::ImageRef& image = pass.images[attachment];
+  const std::int32_t* port = pass.viewport;
+  if (port[0] != 0 || port[1] != 0 || port[2] != std::int32_t(image.width) ||
+      port[3] != std::int32_t(image.height))
+    return {0, gg::say("drawn with a viewport of {}x{} at ({},{}) into a texture of {}x{}", port[2],
+                       port[3], port[0], port[1], image.width, image.height)};
+  if (!(pass.cleared & (1u << attachment)))
+    return {0, gg::say("the texture's colours are not cleared")};
+  const bool hasDepth = pass.images[trace::kDepth].kind != std::uint32_t(trace::ImageKind::none);
+  if (hasDepth && !(pass.cleared & (1u << trace::kDepth)))
+    return {0, gg::say("the framebuffer object's depths are not cleared")};
+  return {1,
+          gg::say("all of the texture of {}x{} is cleared and drawn", image.width, image.height)};
+}
+
+Verdict noTexture() {
+  return {0, gg::say("no pass samples a texture that objects were drawn into")};
+}
+
+GGRADE_ITEM("mirror.target", [](const View& view) {
+  Verdict best = noTexture();
+  for (const Drawn& drawn : sampledLater(view.trace)) {
+    if (drawn.attachment >= trace::kColors || !drewObjects(*drawn.pass)) continue;
+    const Verdict verdict = fillsTexture(*drawn.pass, drawn.attachment);
+    if (verdict.quality >= best.quality) best = verdict;
+  }
+  return orTheFloor(view, best);
+});
+
+GGRADE_ITEM("mirror.texture", [](const View& view) {
+  const WantedTexture& wanted = wantedTexture(view.scene);
+  Verdict best = noTexture();
+  for (const Image& found : objectTextures(view.trace)) {
+    std::string message;
+    const double quality = textureQuality(found, wanted, message);
+    if (quality >= best.quality) best = {quality, message};
+  }
+  return orTheFloor(view, best);
 });
 
 GGRADE_PASS("mirror.texture", [](const View& view) -> std::vector<PassOutput> {
@@ -401,85 +436,6 @@ GGRADE_ITEM("mirror.keep_following", [](const View& view) {
                             of.frames.at(frame));
   };
   return follows(view, reflections, gg::say("reflection"));
-});
-
-/// Sums over `2 reach + 1` values along one line of `length` values that lie `step` apart.
-void boxSums(const float* from, float* to, int length, std::size_t step, int reach) {
-  double sum = 0;
-  const auto at = [&](int i) { return double(from[std::size_t(i) * step]); };
-  for (int i = 0; i < std::min(reach, length); ++i) sum += at(i);
-  for (int i = 0; i < length; ++i) {
-    if (i + reach < length) sum += at(i + reach);
-    if (i > reach) sum -= at(i - reach - 1);
-    to[std::size_t(i) * step] = float(sum);
-  }
-}
-
-/// Mean over a square of 7 x 7 pixels of what was added to the floor: noise goes, blur stays.
-Image smoothed(const Image& image, const Image& plain, const Mask& floor) {
-  constexpr int kReach = 3;
-  const int width = image.width(), height = image.height();
-  // Three channels of added light, and how many pixels of floor there are.
-  Image sums(width, height, 4), rows(width, height, 4);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      if (!floor.at(x, y)) continue;
-      for (int c = 0; c < 3; ++c) sums.at(x, y, c) = image.at(x, y, c) - plain.at(x, y, c);
-      sums.at(x, y, 3) = 1;
-    }
-  }
-  for (int y = 0; y < height; ++y)
-    for (int c = 0; c < 4; ++c) boxSums(&sums.at(0, y, c), &rows.at(0, y, c), width, 4, kReach);
-  for (int x = 0; x < width; ++x)
-    for (int c = 0; c < 4; ++c)
-      boxSums(&rows.at(x, 0, c), &sums.at(x, 0, c), height, std::size_t(width) * 4, kReach);
-  Image out(width, height, 3);
-  for (int y = 0; y < height; ++y)
-    for (int x = 0; x < width; ++x)
-      if (floor.at(x, y))
-        for (int c = 0; c < 3; ++c) out.at(x, y, c) = sums.at(x, y, c) / sums.at(x, y, 3);
-  return out;
-}
-
-double rms(const Image& a, const Image& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.values().size(); ++i) {
-    const double d = double(a.values()[i]) - double(b.values()[i]);
-    sum += d * d;
-  }
-  return std::sqrt(sum / double(a.values().size()));
-}
-
-/// What the floor should add to its own light when it blurs, and how far off a sharp reflection is.
-struct Blur {
-  Image wanted;
-  double sharp = 0; // RMS
-};
-
-const Blur& blurOf(const SceneEvidence& scene, std::size_t frame) {
-  static std::map<std::pair<const SceneEvidence*, std::size_t>, Blur> known;
-  const auto [entry, fresh] = known.try_emplace({&scene, frame});
-  Blur& blur = entry->second;
-  if (fresh) {
-    const Image& plain = scene.probes.at("plain").at(frame);
-    const Mask& floor = regionsOf(scene, frame).floor;
-    blur.wanted = smoothed(scene.reference.at(frame), plain, floor);
-    blur.sharp = rms(smoothed(scene.probes.at("sharp").at(frame), plain, floor), blur.wanted);
-  }
-  return blur;
-}
-
-GGRADE_ITEM("mirror.blur", [](const View& view) {
-  return worstFrame(view, [&](std::size_t i) -> Verdict {
-    const Blur& blur = blurOf(view.scene, i);
-    const double found = rms(smoothed(view.frames.at(i), view.scene.probes.at("plain").at(i),
-                                      regionsOf(view.scene, i).floor),
-                             blur.wanted);
-    const double quality = std::clamp((1 - found / blur.sharp) / 0.8, 0.0, 1.0);
-    return {quality,
-            gg::say("the blurred reflection is off by {:.4f} (RMS); a sharp one is by {:.4f}",
-                    found, blur.sharp)};
-  });
 });
 
 } // namespace

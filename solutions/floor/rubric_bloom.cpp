@@ -104,6 +104,20 @@ double sceneQuality(const View& view, std::string& message) {
   return qualityOf(light.wrongShare, kNothingOfPass);
 }
 
+GGRADE_ITEM("bloom.target", [](const View& view) -> Verdict {
+  const Pyramid& found = pyramidOf(view);
+  if (found.scene.empty() || !found.sceneOutput)
+    return passOrPicture(
+        view, 0, gg::say("no pass draws the objects into a texture that a later pass samples"));
+  const std::string format = trace::glName(found.sceneFormat);
+  if (!holdsLight(found.sceneFormat))
+    return passOrPicture(view, 0, gg::say("kept in {}, which ends at 1", format));
+  const trace::PassRecord& pass = view.trace.passes[found.sceneOutput->pass];
+  if (pass.images[trace::kDepth].kind == std::uint32_t(trace::ImageKind::none))
+    return passOrPicture(view, 0, gg::say("{} without a depth attachment", format));
+  return {1, gg::say("{} with a depth attachment", format)};
+});
+
 GGRADE_ITEM("bloom.scene", [](const View& view) {
   std::string message;
   const double quality = sceneQuality(view, message);

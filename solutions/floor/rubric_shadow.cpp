@@ -11,6 +11,7 @@
 #include "words/words.hpp"
 
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,9 @@ constexpr float kLeastLight = 10.0f / 255;
 constexpr float kLeastOnObjects = 24.0f / 255;
 /// A map may be drawn from this far off the light, as a share of the objects' distance.
 constexpr double kOffLight = 0.1;
+/// What may lie beyond a plane of the light's view volume, in its half widths: a map of another
+/// size has its outermost surfaces elsewhere.
+constexpr double kOutside = 0.01;
 /// Depth maps that are looked at: each is read through hundreds of matrices.
 constexpr int kMostMaps = 8;
 
@@ -208,17 +212,38 @@ double agreementThrough(const Image& map, float background, float range,
   return std::min(surface, nothing);
 }
 
+/// Share of the surface that lies between the planes of a perspective that looks from the light; 0
+/// if the matrix is no such perspective.
+double seenThrough(const glm::dmat4& mapFromWorld, bool unit, const LightPoints& points) {
+  const glm::dvec4 rowOfW(mapFromWorld[0][3], mapFromWorld[1][3], mapFromWorld[2][3], 0);
+  if (glm::length(rowOfW) < 1e-9 || !looksFromLight(mapFromWorld, unit, points)) return 0;
+  std::size_t seen = 0;
+  for (const glm::dvec4& world : points.surface) {
+    const glm::dvec4 clip = mapFromWorld * world;
+    if (!(clip.w > 0)) continue;
+    const glm::dvec3 at = glm::dvec3(clip) / clip.w;
+    const double low = unit ? 0 : -1;
+    seen += glm::all(glm::greaterThanEqual(at, glm::dvec3(low - kOutside))) &&
+            glm::all(glm::lessThanEqual(at, glm::dvec3(1 + kOutside)));
+  }
+  return double(seen) / double(std::max<std::size_t>(points.surface.size(), 1));
+}
+
 struct MapVerdict {
   double share = 0;
+  double seen = 0;        ///< share of the surface between the planes of the best of its matrices
   bool found = false;     ///< a depth map that a later pass samples
   bool depthOnly = false; ///< its pass drew no colours
   std::uint32_t size = 0;
 };
 
 /// The best depth map of the view, through the best of its matrices.
-MapVerdict bestMap(const View& view) {
+const MapVerdict& bestMap(const View& view) {
+  static std::map<const trace::Trace*, MapVerdict> known; // several items ask
+  const auto [entry, fresh] = known.try_emplace(&view.trace);
+  MapVerdict& best = entry->second;
+  if (!fresh) return best;
   const LightPoints& points = lightPoints(view);
-  MapVerdict best;
   int maps = 0;
   for (const Drawn& drawn : sampledLater(view.trace)) {
     if (drawn.attachment != trace::kDepth || !drewObjects(*drawn.pass)) continue;
@@ -230,14 +255,18 @@ MapVerdict bestMap(const View& view) {
     float low = 2, high = -1;
     for (const float depth : map.values())
       if (depth != background) low = std::min(low, depth), high = std::max(high, depth);
-    if (low > high) continue; // nothing was drawn
     std::vector<glm::dmat4> matrices;
     for (const trace::StepRecord& step : view.trace.stepsOf(*drawn.pass))
       for (const glm::dmat4& matrix : matricesOf(view.trace, step)) matrices.push_back(matrix);
     for (const glm::dmat4& matrix : matricesOf(view.trace, *drawn.readingStep))
       matrices.push_back(matrix);
+    const std::vector<glm::dmat4> candidates = matricesAndProducts(matrices);
+    for (const glm::dmat4& matrix : candidates)
+      for (const bool unit : {false, true})
+        best.seen = std::max(best.seen, seenThrough(matrix, unit, points));
+    if (low > high) continue; // nothing was drawn
     double share = 0;
-    for (const glm::dmat4& matrix : matricesAndProducts(matrices))
+    for (const glm::dmat4& matrix : candidates)
       for (const bool unit : {false, true})
         share = std::max(share, agreementThrough(map, background, std::max(high - low, 1e-6f),
                                                  matrix, unit, points));
@@ -253,10 +282,23 @@ MapVerdict bestMap(const View& view) {
   return best;
 }
 
+GGRADE_ITEM("shadow.camera", [](const View& view) -> Verdict {
+  const MapVerdict& map = bestMap(view);
+  const double quality = std::clamp((map.seen - 0.75) / 0.23, 0.0, 1.0);
+  const std::string message =
+      map.seen > 0 ? gg::say("between the planes of a camera at the light lie {:.0f}% of the "
+                             "surfaces that the light sees",
+                             100 * map.seen)
+                   : gg::say("no matrix of the submission looks from the light at the objects");
+  const Verdict shadow = floorShadows(view);
+  if (shadow.quality <= quality) return {quality, message};
+  return {shadow.quality, gg::say("{}; judged by the floor: {}", message, shadow.message)};
+});
+
 GGRADE_ITEM("shadow.map", [](const View& view) -> Verdict {
   if (lightPoints(view).surface.size() < 50)
     throw std::runtime_error("the reference's shadow map shows no objects");
-  const MapVerdict map = bestMap(view);
+  const MapVerdict& map = bestMap(view);
   const double quality = std::clamp((map.share - 0.55) / 0.35, 0.0, 1.0);
   const Verdict shadow = floorShadows(view);
   if (shadow.quality >= quality && quality < 1)
@@ -306,7 +348,7 @@ GGRADE_PASS("shadow.map", [](const View& view) -> std::vector<PassOutput> {
 
 GGRADE_ITEM("shadow.depth_only", [](const View& view) -> Verdict {
   const double right = floorShadows(view).quality;
-  const MapVerdict map = bestMap(view);
+  const MapVerdict& map = bestMap(view);
   if (!map.found)
     return {0, gg::say("no pass samples a depth texture that objects were drawn into")};
   if (!map.depthOnly)

@@ -86,7 +86,13 @@ TEST_F(Live, TilesShowEveryTextureOfTheFrame) {
   const auto frame = [&] {
     fill(color, {1, 0, 0, 1}, true);
     fill(bright, {3, 1, 0, 1});
-    fill(depth, glm::vec4(0.998f));
+    fill(depth, glm::vec4(1));
+    glEnable(GL_SCISSOR_TEST);
+    for (const auto& [left, value] : {std::pair(0, 0.875f), {64, 0.96875f}, {128, 0.9921875f}}) {
+      glScissor(left, 0, 64, kHeight);
+      fill(depth, glm::vec4(value));
+    }
+    glDisable(GL_SCISSOR_TEST);
     const GLfloat blue[] = {0, 0, 1, 1};
     glClearBufferfv(GL_COLOR, 0, blue);
     window.swapBuffers();
@@ -101,8 +107,12 @@ TEST_F(Live, TilesShowEveryTextureOfTheFrame) {
   EXPECT_THAT(at(40, 60), ElementsAre(0, 0, 255));
   EXPECT_THAT(at(128 + 40, 60), ElementsAre(255, 0, 0));
   EXPECT_THAT(at(40, 96 + 60), ElementsAre(191, 128, 0)) << "x / (1 + x)";
-  // 0.1 to 100: a depth of 0.998 lies 33.4 before the eye.
-  EXPECT_THAT(at(128 + 40, 96 + 60), Each(testing::AllOf(testing::Ge(84), testing::Le(86))));
+  // 1 - depth is 2^-3, 2^-5, 2^-7, and 0 where it was only cleared.
+  const auto grey = [&](int x) { return at(128 + x, 96 + 60)[0]; };
+  EXPECT_EQ(grey(14), 0) << "the nearest";
+  EXPECT_NEAR(grey(42), 127, 2);
+  EXPECT_EQ(grey(70), 255) << "the farthest";
+  EXPECT_EQ(grey(98), 255);
   EXPECT_THAT(at(127, 60), ElementsAre(64, 64, 64)) << "the gap between them";
   for (const int left : {0, 128})
     for (const int top : {0, 96}) EXPECT_GT(letters(left, top, 120, 9), 80) << left << ' ' << top;

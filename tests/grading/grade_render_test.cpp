@@ -147,7 +147,7 @@ TEST_F(Render, PassesOfTheMirror) {
       EXPECT_EQ(image.width(), copy.at("width"));
       EXPECT_EQ(image.height(), copy.at("height"));
       const bool depth = copy.at("attachment") == "depth";
-      EXPECT_EQ(copy.at("scale"), depth ? "linear depth by uProjection" : "as stored");
+      EXPECT_EQ(copy.at("scale"), depth ? "stretched depth by uProjection" : "as stored");
       EXPECT_EQ(fs::file_size(out_ / copy.at("raw").get<std::string>()),
                 image.pixelCount() * (depth ? 4 : 16));
     }

@@ -1,4 +1,5 @@
 // How much of a fault is told, on the terminal and in JSON, and what is remembered of it.
+#include "check/page.hpp"
 #include "check/terminal.hpp"
 #include "grading/workspace.hpp"
 #include "in_japanese.hpp"
@@ -56,6 +57,7 @@ struct Seen {
     item.step = "m.1";
     part.items = {item};
     looked.part = &part;
+    expected.scenes.resize(1);
     looked.expected = &expected;
     looked.handout = "assignments/m/README.md";
     looked.folder = ".";
@@ -100,6 +102,18 @@ TEST(CheckHints, WhatIsNoPuzzleIsToldAtOnceAndAtItsPlace) {
   Checked nothing = lightWrong();
   nothing.cause.clear();
   EXPECT_THAT(Seen(nothing).at(Level::where), Not(HasSubstr("hint"))) << "nothing is known";
+}
+
+TEST(CheckHints, AWrongPictureOfNoKnownCauseIsToldAsSuch) {
+  Checked unknown = lightWrong();
+  unknown.cause.clear();
+  unknown.firstWrong.emplace();
+  Seen seen(unknown);
+  EXPECT_THAT(seen.at(Level::where), HasSubstr("\nNo known mistake shows this picture. Put it"));
+  EXPECT_THAT(page("m", {seen.looked}, false), HasSubstr("No known mistake shows this picture. Put it"));
+  EXPECT_THAT(page("m", {Seen(lightWrong()).looked}, false), Not(HasSubstr("No known mistake")));
+  unknown.rows[1].state = State::nearly;
+  EXPECT_THAT(Seen(unknown).at(Level::where), Not(HasSubstr("No known mistake")));
 }
 
 TEST(CheckHints, JsonHasEverything) {

@@ -18,7 +18,7 @@ using samples::mirror;
 TEST(TraceJson, SaysWhatWasRecorded) {
   const json all = toJson(mirror(), {{"frame-0/pass-00-color0.png", "", "as stored", 0, 1},
                                      {"frame-0/pass-00-depth.png", "frame-0/pass-00-depth.f32",
-                                      "linear depth by uProjection", 2, 4}});
+                                      "stretched depth by uProjection", 2, 4}});
   const json& reflection = all.at("passes").at(0);
   EXPECT_EQ(reflection.at("index"), 0);
   EXPECT_EQ(reflection.at("kind"), "draw");

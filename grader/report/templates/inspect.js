@@ -71,12 +71,16 @@
     const isWhole = () => /^[iu]32|u8x1/.test(picture.type);
     const distance = (depth) => picture.linear ? picture.linear[0] / (2 * depth - 1 - picture.linear[1]) : depth;
 
+    const depthAt = (distance) => picture.linear ? (picture.linear[0] / distance + 1 + picture.linear[1]) / 2 : distance;
+    // As evenDepth of grader/trace/picture.hpp.
+    const even = (depth) => -Math.log2(1 - Math.min(Math.max(depth, 0), 1) + 2 ** -12) / 12;
+
     // The colour of a value as 0 to 255; what isn't a number is told apart in `paint`.
     function mapping() {
       const clamp = (v) => v * 255; // the array of pixels rounds and clamps
       if (isDepth()) {
-        const low = Number(black.value), range = Number(white.value) - low || 1;
-        return (depth) => depth >= 1 ? 255 : clamp((distance(depth) - low) / range);
+        const low = even(depthAt(Number(black.value))), range = even(depthAt(Number(white.value))) - low || 1;
+        return (depth) => depth >= 1 ? 255 : clamp((even(depth) - low) / range);
       }
       if (isWhole()) return (v) => clamp(v / (picture.high || 1));
       const factor = 2 ** Number(exposure.value) / (picture.type === "u8x4" ? 255 : 1);
