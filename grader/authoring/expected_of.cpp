@@ -180,6 +180,7 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
       const std::string group = mistake->same.empty() ? mistake->name : mistake->same;
       made.push_back({mistake->title,
                       mistake->hint,
+                      mistake->experiment,
                       mistake->step,
                       k,
                       {},
@@ -238,7 +239,7 @@ void writeWords(const check::Expected& expected, const fs::path& solutions, cons
   const json all = readJson(table);
   json told = json::object();
   for (const check::Fault& fault : expected.faults)
-    for (const std::string& text : {fault.title, fault.hint})
+    for (const std::string& text : {fault.title, fault.hint, fault.experiment})
       if (all.contains(text)) told[text] = all[text];
   report::writeFile(check::wordsFile(into), told.dump(1));
 }

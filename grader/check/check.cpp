@@ -302,6 +302,8 @@ private:
         checked_.titles.emplace_back(words(fault->title));
         checked_.hint += fmt::format("{}- {}\n  {}", checked_.hint.empty() ? "" : "\n",
                                      words(fault->title), words(fault->hint));
+        if (!fault->experiment.empty())
+          checked_.hint += "\n  " + say("To find out: {}", words(fault->experiment));
       }
     }
     return faults[0]->todo;

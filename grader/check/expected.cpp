@@ -95,6 +95,7 @@ void save(const Expected& expected, const fs::path& folder) {
   for (const Fault& fault : expected.faults)
     faults.push_back({{"title", fault.title},
                       {"hint", fault.hint},
+                      {"experiment", fault.experiment},
                       {"todo", fault.todo},
                       {"step", fault.step},
                       {"scenes", fault.scenes},
@@ -148,6 +149,7 @@ Expected load(const fs::path& folder) {
       const std::string name = nameOfFault(expected.faults.size());
       expected.faults.push_back({one.at("title"),
                                  one.at("hint"),
+                                 one.at("experiment"),
                                  one.at("todo"),
                                  one.at("step"),
                                  one.at("scenes"),

@@ -30,6 +30,7 @@ struct Scene {
 /// A mistake that is known by what it shows in a program that has come to some step.
 struct Fault {
   std::string title, hint;
+  std::string experiment; ///< that tells it from what looks like it; or empty
   std::string todo;                  ///< in which it is made
   std::size_t step = 0;              ///< TODOs that the program has done, this one included
   std::set<std::size_t> scenes = {}; ///< in which it is known what it shows

@@ -40,23 +40,53 @@ const trace::PassRecord* depthPass(const trace::Trace& trace) {
   return nullptr;
 }
 
+/// The first of that name that a step used; null if there is none.
+const trace::MatrixRecord* matrixOf(const trace::Trace& trace, const trace::StepRecord& step,
+                                    const std::string& name) {
+  const auto records = trace.matricesOf(step);
+  const auto record =
+      std::ranges::find_if(records, [&](const auto& one) { return name == one.name; });
+  return record == records.end() ? nullptr : &*record;
+}
+
+/// The first step that draws; null if none does.
+const trace::StepRecord* drawingStep(const trace::Trace& trace, const trace::PassRecord& pass) {
+  const auto steps = trace.stepsOf(pass);
+  const auto drawn = std::ranges::find_if(steps, [](const auto& step) { return step.draws > 0; });
+  return drawn == steps.end() ? nullptr : &*drawn;
+}
+
 /// Clip space from world space; nothing where a matrix is missing.
 std::optional<glm::dmat4> clipFromWorld(const Frustum& frustum, const trace::Trace& trace,
                                         const trace::PassRecord& pass) {
   glm::dmat4 product(1);
-  const auto steps = trace.stepsOf(pass);
-  const auto drawn = std::ranges::find_if(steps, [](const auto& step) { return step.draws > 0; });
-  if (drawn == steps.end()) return {};
+  const trace::StepRecord* step = drawingStep(trace, pass);
+  if (!step) return {};
   for (const std::string& name : frustum.matrices) {
-    const auto records = trace.matricesOf(*drawn);
-    const auto record =
-        std::ranges::find_if(records, [&](const auto& one) { return name == one.name; });
-    if (record == records.end()) return {};
+    const trace::MatrixRecord* record = matrixOf(trace, *step, name);
+    if (!record) return {};
     glm::dmat4 matrix;
     for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = double(record->values[i]);
     product *= matrix;
   }
   return product;
+}
+
+/// Does the pass draw with a matrix that a later one of the frame has under the same name, such as
+/// the eye's view? Then it was given the wrong one, and nothing is known of its own.
+bool takesAnothers(const Frustum& frustum, const trace::Trace& trace,
+                   const trace::PassRecord& pass) {
+  const trace::StepRecord& own = *drawingStep(trace, pass);
+  const auto passes = trace.passesOf(0);
+  return std::any_of(
+      passes.begin() + (&pass - passes.data()) + 1, passes.end(), [&](const auto& later) {
+        const trace::StepRecord* step = drawingStep(trace, later);
+        return step && std::ranges::any_of(frustum.matrices, [&](const std::string& name) {
+                 const trace::MatrixRecord *a = matrixOf(trace, own, name),
+                                           *b = matrixOf(trace, *step, name);
+                 return b && std::ranges::equal(a->values, b->values);
+               });
+      });
 }
 
 /// Of the points: how many lie where, and the part of each axis that those in front take.
@@ -120,7 +150,7 @@ bool takePoints(Frustum& frustum, const trace::Trace& reference) {
 std::string frustumFault(const Frustum& frustum, const trace::Trace& trace) {
   const trace::PassRecord* pass = frustum.points.empty() ? nullptr : depthPass(trace);
   const auto matrix = pass ? clipFromWorld(frustum, trace, *pass) : std::nullopt;
-  if (!matrix) return {};
+  if (!matrix || takesAnothers(frustum, trace, *pass)) return {};
   for (int i = 0; i < 16; ++i)
     if (!std::isfinite((*matrix)[i / 4][i % 4]))
       return say(

@@ -133,16 +133,18 @@ private:
 };
 
 void readMistake(const fs::path& patch, Checker& checker, Catalogue& into) {
-  const Header header = checker.header(
-      patch, {"Title", "Grades", "Symptom", "Hint", "Fails", "Step", "Shows"}, {"Outcome", "Same"});
+  const Header header =
+      checker.header(patch, {"Title", "Grades", "Symptom", "Hint", "Fails", "Step", "Shows"},
+                     {"Outcome", "Same", "Try"});
   if (header.empty()) return;
   checker.item(patch, "Fails", header.at("Fails"));
   checker.step(patch, header.at("Step"));
   checker.tag(patch, header.at("Shows"));
   const auto inWords = [&](const char* key) { return std::string(gg::words(header.at(key))); };
   into.mistakes.push_back({patch.stem().string(), patch, inWords("Title"), header.at("Symptom"),
-                           inWords("Hint"), header.at("Fails"), header.at("Step"),
-                           header.at("Shows"), checker.outcome(patch, header),
+                           inWords("Hint"), header.count("Try") ? inWords("Try") : std::string(),
+                           header.at("Fails"), header.at("Step"), header.at("Shows"),
+                           checker.outcome(patch, header),
                            header.count("Same") ? header.at("Same") : std::string()});
 }
 

@@ -29,6 +29,14 @@ std::vector<Between> betweens(int from, int to) {
   return all;
 }
 
+std::vector<glm::dmat4> firstThatDiffer(const std::vector<glm::dmat4>& matrices) {
+  std::vector<glm::dmat4> distinct;
+  for (const glm::dmat4& matrix : matrices)
+    if (distinct.size() < kMostMatrices && std::ranges::find(distinct, matrix) == distinct.end())
+      distinct.push_back(matrix);
+  return distinct;
+}
+
 } // namespace
 
 Image resampled(const Image& image, int width, int height, int channels) {
@@ -64,11 +72,23 @@ std::vector<glm::dmat4> matricesOf(const trace::Trace& trace, const trace::StepR
   return all;
 }
 
+std::vector<glm::dmat4> perspectives(const std::vector<glm::dmat4>& matrices) {
+  const auto rowOfW = [](const glm::dmat4& m) {
+    return glm::dvec4(m[0][3], m[1][3], m[2][3], m[3][3]);
+  };
+  const std::vector<glm::dmat4> distinct = firstThatDiffer(matrices);
+  std::vector<glm::dmat4> all;
+  for (const glm::dmat4& a : distinct) {
+    if (glm::length(glm::dvec3(rowOfW(a))) > 1e-9) all.push_back(a);
+    if (rowOfW(a) != glm::dvec4(0, 0, -1, 0)) continue;
+    for (const glm::dmat4& b : distinct)
+      if (rowOfW(b) == glm::dvec4(0, 0, 0, 1)) all.push_back(a * b);
+  }
+  return all;
+}
+
 std::vector<glm::dmat4> matricesAndProducts(const std::vector<glm::dmat4>& matrices) {
-  std::vector<glm::dmat4> distinct;
-  for (const glm::dmat4& matrix : matrices)
-    if (distinct.size() < kMostMatrices && std::ranges::find(distinct, matrix) == distinct.end())
-      distinct.push_back(matrix);
+  const std::vector<glm::dmat4> distinct = firstThatDiffer(matrices);
   std::vector<glm::dmat4> all = distinct;
   for (const glm::dmat4& a : distinct)
     for (const glm::dmat4& b : distinct) all.push_back(a * b);

@@ -23,6 +23,9 @@ Image resampled(const Image& image, int width, int height, int channels);
 /// The matrices that a step used at its first draw (those recorded first under each name), and the
 /// products of two of them, in both orders; of the first 24 that differ.
 std::vector<glm::dmat4> matricesAndProducts(const std::vector<glm::dmat4>& matrices);
+/// Those of the first 24 that differ that are perspective, and the products of a projection and of
+/// something affine: what a camera may have drawn with.
+std::vector<glm::dmat4> perspectives(const std::vector<glm::dmat4>& matrices);
 std::vector<glm::dmat4> matricesOf(const trace::Trace& trace, const trace::StepRecord& step);
 
 } // namespace floor_rubric

@@ -212,11 +212,10 @@ double agreementThrough(const Image& map, float background, float range,
   return std::min(surface, nothing);
 }
 
-/// Share of the surface that lies between the planes of a perspective that looks from the light; 0
-/// if the matrix is no such perspective.
+/// Share of the surface that lies between the planes of a perspective; 0 unless it looks from the
+/// light.
 double seenThrough(const glm::dmat4& mapFromWorld, bool unit, const LightPoints& points) {
-  const glm::dvec4 rowOfW(mapFromWorld[0][3], mapFromWorld[1][3], mapFromWorld[2][3], 0);
-  if (glm::length(rowOfW) < 1e-9 || !looksFromLight(mapFromWorld, unit, points)) return 0;
+  if (!looksFromLight(mapFromWorld, unit, points)) return 0;
   std::size_t seen = 0;
   for (const glm::dvec4& world : points.surface) {
     const glm::dvec4 clip = mapFromWorld * world;
@@ -260,13 +259,12 @@ const MapVerdict& bestMap(const View& view) {
       for (const glm::dmat4& matrix : matricesOf(view.trace, step)) matrices.push_back(matrix);
     for (const glm::dmat4& matrix : matricesOf(view.trace, *drawn.readingStep))
       matrices.push_back(matrix);
-    const std::vector<glm::dmat4> candidates = matricesAndProducts(matrices);
-    for (const glm::dmat4& matrix : candidates)
+    for (const glm::dmat4& matrix : perspectives(matrices))
       for (const bool unit : {false, true})
         best.seen = std::max(best.seen, seenThrough(matrix, unit, points));
     if (low > high) continue; // nothing was drawn
     double share = 0;
-    for (const glm::dmat4& matrix : candidates)
+    for (const glm::dmat4& matrix : matricesAndProducts(matrices))
       for (const bool unit : {false, true})
         share = std::max(share, agreementThrough(map, background, std::max(high - low, 1e-6f),
                                                  matrix, unit, points));

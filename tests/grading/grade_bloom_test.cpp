@@ -17,7 +17,8 @@ Graded gradeBloom(const Submission& submission) {
 TEST(Bloom, AWrongBrightPassIsNamedAndTheLevelsKeepTheirPoints) {
   const Graded graded = gradeMistake("bloom_threshold_subtracted");
   EXPECT_EQ(graded.outcome(), "graded");
-  EXPECT_EQ(graded.earned("bloom.scene"), 10);
+  EXPECT_EQ(graded.earned("bloom.target"), 4);
+  EXPECT_EQ(graded.earned("bloom.scene"), 6);
   EXPECT_EQ(graded.earned("bloom.bright"), 0);
   EXPECT_THAT(graded.message("bloom.bright"), HasSubstr("the first wrong pass is the bright pass"));
   EXPECT_EQ(graded.earned("bloom.levels"), 20);
@@ -44,6 +45,8 @@ TEST(Bloom, EightBitsMakeTheSceneTheFirstWrongPass) {
   const Graded graded = gradeMistake("bloom_scene_rgba8");
   EXPECT_EQ(graded.earned("bloom.scene"), 0);
   EXPECT_THAT(graded.message("bloom.scene"), HasSubstr("kept in RGBA8, which ends at 1"));
+  EXPECT_EQ(graded.earned("bloom.target"), 0);
+  EXPECT_THAT(graded.message("bloom.target"), HasSubstr("kept in RGBA8, which ends at 1"));
   EXPECT_THAT(graded.message("bloom.bright"), HasSubstr("the first wrong pass is the scene"));
   EXPECT_EQ(graded.earned("bloom.picture"), 0);
   // The levels' and the sum's, judged with the reference's bright pass.

@@ -135,7 +135,7 @@ TEST(CarriedForward, AComparisonThatIsWrongTooEarnsNothing) {
 TEST(CarriedForward, ABlackBrightPassLeavesLevelsAndSumTheirPoints) {
   const Graded graded = gradePart(
       "bloom", changed("bright.frag", "bright = color * ratio * uWeight;", "bright = vec3(0);"));
-  EXPECT_EQ(graded.earned("bloom.scene"), 10);
+  EXPECT_EQ(graded.earned("bloom.scene"), 6);
   EXPECT_EQ(graded.earned("bloom.bright"), 0);
   EXPECT_EQ(graded.earned("bloom.levels"), 20);
   EXPECT_EQ(graded.earned("bloom.sum"), 15);
@@ -265,7 +265,7 @@ TEST(CarriedForward, PassesThatDrawNothingEarnNothing) {
                  "oColor = vec4(0);");
   const Graded graded = gradePart("bloom", hollow);
   EXPECT_TRUE(ranAgain(graded));
-  EXPECT_EQ(graded.earned("bloom.scene"), 10);
+  EXPECT_EQ(graded.earned("bloom.scene"), 6);
   EXPECT_EQ(graded.earned("bloom.bright"), 0);
   EXPECT_EQ(graded.earned("bloom.levels"), 0);
   EXPECT_EQ(graded.earned("bloom.sum"), 0);

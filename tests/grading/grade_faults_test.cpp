@@ -41,6 +41,7 @@ TEST(Fault, ScaleOnTheWrongSideOfTheView) {
   const Graded graded = gradeMistake("mirror_scale_on_the_left");
   EXPECT_EQ(graded.outcome(), "graded");
   EXPECT_THAT(graded.lost(), Contains("mirror.texture"));
+  EXPECT_EQ(graded.earned("mirror.target"), 5);
   EXPECT_EQ(graded.earned("mirror.shading"), 0);
   // What samples the texture is right: it is judged with the reference's in its place.
   EXPECT_EQ(graded.earned("mirror.position"), 15);
@@ -91,6 +92,8 @@ TEST(Fault, ViewportKeptFromTheMirrorPass) {
 
 TEST(Fault, ViewportOfTheWindowInTheMirrorPass) {
   const Graded graded = gradeMistake("mirror_window_viewport_in_fbo");
+  EXPECT_EQ(graded.earned("mirror.target"), 0);
+  EXPECT_THAT(graded.message("mirror.target"), HasSubstr("drawn with a viewport of 640x480"));
   EXPECT_LT(graded.earned("mirror.texture"), 5);
   EXPECT_EQ(graded.earned("mirror.shading"), 0);
   EXPECT_LT(graded.score(), 40); // the sampling's, judged with the reference's reflection
@@ -100,6 +103,7 @@ TEST(Fault, DepthNotCleared) {
   // Right in the first frame only.
   const Graded graded = gradeMistake("mirror_depth_not_cleared");
   EXPECT_THAT(graded.lost(), Contains("mirror.hidden"));
+  EXPECT_THAT(graded.message("mirror.target"), HasSubstr("depths are not cleared"));
   EXPECT_LT(graded.score(), 70);
 }
 
@@ -116,7 +120,7 @@ TEST(Fault, UpsideDown) {
   EXPECT_EQ(graded.earned("mirror.where"), 0);
   EXPECT_EQ(graded.earned("mirror.position"), 0);
   // The texture is right; it is sampled the wrong way round.
-  EXPECT_EQ(graded.earned("mirror.texture"), 20);
+  EXPECT_EQ(graded.earned("mirror.texture"), 15);
   EXPECT_LE(graded.score(), 20);
 }
 

@@ -26,7 +26,7 @@ TEST(Shadow, TheLecturesFiveStepsHaveEverything) {
 TEST(Shadow, ARightMapKeepsItsPointsUnderAnInvertedComparison) {
   const Graded graded = gradeMistake("shadow_comparison_inverted");
   EXPECT_EQ(graded.outcome(), "graded");
-  EXPECT_EQ(graded.earned("shadow.map"), 25);
+  EXPECT_EQ(graded.earned("shadow.map"), 20);
   EXPECT_THAT(graded.message("shadow.map"), HasSubstr("agrees with the objects at 100%"));
   EXPECT_EQ(graded.earned("shadow.floor"), 0);
   EXPECT_EQ(graded.earned("shadow.objects"), 0);
@@ -56,6 +56,8 @@ TEST(Shadow, ObjectsUnderTheFloorSpoilThePictureThoughTheyAreSmall) {
 
 TEST(Shadow, WhatTheEyeSeesAgreesWithItselfAndIsNoMap) {
   const Graded graded = gradeMistake("shadow_eye_camera");
+  EXPECT_EQ(graded.earned("shadow.camera"), 0);
+  EXPECT_THAT(graded.message("shadow.camera"), HasSubstr("no matrix of the submission looks from"));
   EXPECT_EQ(graded.earned("shadow.map"), 0);
   EXPECT_THAT(graded.message("shadow.map"), HasSubstr("public: no matrix of the submission fits"));
   EXPECT_EQ(graded.earned("shadow.floor"), 25); // with the reference's map in its place
@@ -65,20 +67,21 @@ TEST(Shadow, AMapThatIsNeverClearedIsNoMap) {
   const Graded graded = gradeMistake("shadow_not_cleared");
   EXPECT_EQ(graded.earned("shadow.map"), 0);
   EXPECT_EQ(graded.earned("shadow.depth_only"), 0);
-  // The lookup's 70, judged with the reference's map; the shadow doesn't follow the time.
+  EXPECT_EQ(graded.earned("shadow.camera"), 5);
+  // That and the lookup's 70, judged with the reference's map; the shadow doesn't follow the time.
   EXPECT_EQ(graded.earned("shadow.keep_following"), -15);
-  EXPECT_EQ(graded.score(), 55);
+  EXPECT_EQ(graded.score(), 60);
 }
 
 TEST(Shadow, AMapOfTheFirstFrameGoesStale) {
   const Graded graded = gradeMistake("shadow_drawn_once");
-  EXPECT_EQ(graded.earned("shadow.map"), 25); // right when it was drawn
+  EXPECT_EQ(graded.earned("shadow.map"), 20); // right when it was drawn
   EXPECT_LT(graded.earned("shadow.floor"), 15);
 }
 
 TEST(Shadow, NoBiasMakesStripesOnTheObjects) {
   const Graded graded = gradeMistake("shadow_no_bias");
-  EXPECT_EQ(graded.earned("shadow.map"), 25);
+  EXPECT_EQ(graded.earned("shadow.map"), 20);
   EXPECT_EQ(graded.earned("shadow.floor"), 25);
   EXPECT_EQ(graded.earned("shadow.objects"), 0);
 }

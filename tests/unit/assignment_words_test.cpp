@@ -97,8 +97,10 @@ Texts ofCatalogue(const Assignment& assignment, const fs::path& folder) {
   Texts texts;
   for (const Part& part : assignment.parts)
     for (const grading::Mistake& mistake :
-         grading::loadCatalogue(assignment, part, folder, folder).mistakes)
+         grading::loadCatalogue(assignment, part, folder, folder).mistakes) {
       texts.insert({mistake.title, mistake.hint});
+      if (!mistake.experiment.empty()) texts.insert(mistake.experiment);
+    }
   return texts;
 }
 
@@ -189,7 +191,7 @@ TEST(AssignmentWords, StandWhereTheAssignmentIsRead) {
   EXPECT_EQ(target.assignment.title, "市松模様の床の映り込み、影、ブルーム");
   EXPECT_EQ(target.parts.at(0).title, "フレームバッファオブジェクトによる鏡の映り込み");
   EXPECT_EQ(target.parts.at(0).todos.at(0).title, "フレームバッファオブジェクトを作る");
-  const ItemDeclaration& item = target.parts.at(0).items.at(0);
+  const ItemDeclaration& item = target.parts.at(0).items.at(1);
   EXPECT_EQ(item.id, "mirror.texture");
   EXPECT_EQ(item.title, "映り込みがフレームバッファオブジェクトに描画されている");
   EXPECT_EQ(item.output, "映り込み");

@@ -29,7 +29,8 @@ Expected small() {
   all.steps = {{black, right, right}, all.reference};
   all.frustum = {"mirror.1", {"uProjection", "uView"}, {{1, 2, 3}}, {0.9, 0.8, 0.5}};
   all.samplers = {{}, {{"uShadowMap", diagnosis::Sampled::depth}}};
-  all.faults = {{"A title", "A hint", "mirror.1", 1, {0, 1}, {"x", "group", {black, right, {}}}}};
+  all.faults = {
+      {"A title", "A hint", "A test", "mirror.1", 1, {0, 1}, {"x", "group", {black, right, {}}}}};
   all.others = {{right, black, right}};
   return all;
 }
@@ -55,6 +56,7 @@ TEST(CheckExpected, IsReadAsItWasWritten) {
   EXPECT_THAT(all.samplers[1], ElementsAre(std::pair("uShadowMap", diagnosis::Sampled::depth)));
   ASSERT_EQ(all.faults.size(), 1u);
   EXPECT_EQ(all.faults[0].hint, "A hint");
+  EXPECT_EQ(all.faults[0].experiment, "A test");
   EXPECT_EQ(all.faults[0].step, 1u);
   EXPECT_THAT(all.faults[0].scenes, ElementsAre(0, 1));
   EXPECT_EQ(all.frustum.todo, "mirror.1");

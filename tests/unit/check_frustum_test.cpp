@@ -10,6 +10,7 @@ using check::Frustum;
 using check::frustumFault;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 namespace {
 
@@ -66,6 +67,19 @@ TEST(CheckFrustum, AnotherOneThatHoldsThemIsRight) {
   trace::MatrixRecord wide = trace::samples::perspective("uProjection", 2, 8);
   wide.values[0] = wide.values[5] = 0.1f;
   EXPECT_THAT(frustumFault(held(), map(wide, identity("uView"))), IsEmpty());
+}
+
+TEST(CheckFrustum, NothingIsKnownOfMatricesThatAreNotItsOwn) {
+  trace::Trace eyes = map(4.5f, 8);
+  ASSERT_THAT(frustumFault(held(), eyes), Not(IsEmpty()));
+  const trace::MatrixRecord projection = trace::samples::perspective("uProjection", 4.5f, 8);
+  eyes.steps[1].draws = 1;
+  eyes.steps[1].firstMatrix = std::uint32_t(eyes.matrices.size());
+  eyes.steps[1].matrixCount = 1;
+  eyes.matrices.push_back(projection);
+  EXPECT_THAT(frustumFault(held(), eyes), IsEmpty()) << "the window is drawn with it";
+  eyes.matrices.back().values[0] *= 2;
+  EXPECT_THAT(frustumFault(held(), eyes), Not(IsEmpty()));
 }
 
 TEST(CheckFrustum, SaysWhatItLacks) {

@@ -110,7 +110,8 @@ TEST(CheckHints, AWrongPictureOfNoKnownCauseIsToldAsSuch) {
   unknown.firstWrong.emplace();
   Seen seen(unknown);
   EXPECT_THAT(seen.at(Level::where), HasSubstr("\nNo known mistake shows this picture. Put it"));
-  EXPECT_THAT(page("m", {seen.looked}, false), HasSubstr("No known mistake shows this picture. Put it"));
+  EXPECT_THAT(page("m", {seen.looked}, false),
+              HasSubstr("No known mistake shows this picture. Put it"));
   EXPECT_THAT(page("m", {Seen(lightWrong()).looked}, false), Not(HasSubstr("No known mistake")));
   unknown.rows[1].state = State::nearly;
   EXPECT_THAT(Seen(unknown).at(Level::where), Not(HasSubstr("No known mistake")));

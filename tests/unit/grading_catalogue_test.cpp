@@ -69,7 +69,7 @@ TEST_F(CatalogueTest, IsEmptyWithoutPatches) {
 }
 
 TEST_F(CatalogueTest, ReadsMistakesVariantsAndPairsOfOnePart) {
-  mistake("mirror_b", "Outcome: no_frame\nSame: a\n");
+  mistake("mirror_b", "Outcome: no_frame\nSame: a\nTry: Take the light away.\n");
   mistake("mirror_a");
   files_.write("floor/mistakes/shadow_a.patch", "nothing of the mirror's business");
   files_.write("floor/mistakes/mirror.pairs", "# together\nmirror_a b # prefix or not\n\n");
@@ -83,6 +83,8 @@ TEST_F(CatalogueTest, ReadsMistakesVariantsAndPairsOfOnePart) {
   EXPECT_EQ(all.mistakes[0].hint, "Look at where the light is.");
   EXPECT_EQ(all.mistakes[0].fails, "mirror.shading");
   EXPECT_EQ(all.mistakes[0].outcome, results::Outcome::graded);
+  EXPECT_EQ(all.mistakes[0].experiment, "");
+  EXPECT_EQ(all.mistakes[1].experiment, "Take the light away.");
   EXPECT_EQ(all.mistakes[1].outcome, results::Outcome::noFrame);
   EXPECT_EQ(all.mistakes[1].same, "mirror_a");
   ASSERT_EQ(all.variants.size(), 1u);
@@ -109,7 +111,7 @@ TEST_F(CatalogueTest, AKeyThatStandsThereTwiceIsNamed) {
 TEST_F(CatalogueTest, AnItemOfAnotherPartIsNamed) {
   faulty("mirror.shading", "shadow.map");
   EXPECT_THAT(problem(), HasSubstr("mirror_a.patch: Fails: mirror has no item \"shadow.map\"; "
-                                   "there are mirror.texture, mirror.where"));
+                                   "there are mirror.target, mirror.texture"));
 }
 
 TEST_F(CatalogueTest, UnknownStepTagPartAndOutcomeAreAllNamedAtOnce) {

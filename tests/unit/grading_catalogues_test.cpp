@@ -42,6 +42,7 @@ TEST_P(Catalogues, EveryMistakeSpeaksInSentences) {
     EXPECT_THAT(mistake.symptom, EndsWith(".")) << mistake.name;
     EXPECT_THAT(mistake.hint, testing::ContainsRegex("[.?]$")) << mistake.name;
     EXPECT_GE(mistake.hint.size(), 60u) << mistake.name << ": too short to act on";
+    EXPECT_THAT(mistake.experiment, testing::MatchesRegex("|.*[.?]")) << mistake.name;
     if (mistake.same.empty()) continue;
     // One diagnosis for both: the one that is named speaks for itself.
     const grading::Mistake* other = all_.mistake(mistake.same);
