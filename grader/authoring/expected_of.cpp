@@ -38,6 +38,10 @@ std::vector<check::Scene> scenesOfAll(const Assignment& assignment, const fs::pa
            std::ranges::find_if(scenes, isPublic)->times, "", false}};
 }
 
+/// Seconds from the first frame of another scene to its second, which shows what the first one left
+/// behind.
+constexpr double kNextFrame = 0.4;
+
 /// The scenes that a student may see.
 std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& part,
                                    const fs::path& solutions, const std::set<std::string>& blank) {
@@ -57,11 +61,9 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
       json scene = base;
       scene.merge_patch(other.at("scene"));
       grading::checkScene(assignment, scene, file.string() + ": others: " + of);
-      scenes.push_back({fmt::format("another scene for {}", of),
-                        scene,
-                        {other.at("time").get<double>()},
-                        todo,
-                        true});
+      const double time = other.at("time");
+      scenes.push_back(
+          {fmt::format("another scene for {}", of), scene, {time, time + kNextFrame}, todo, true});
     }
   };
   addOthers(part.id, "", grading::partScene(assignment, {part.id}));

@@ -249,10 +249,13 @@ private:
                             checked_.happened.outcome == results::Outcome::glError;
     } else if (first) {
       suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one alone
-      checked_.cause = say(
-          "It is right in the handed-out scenes, or nearly, and wrong in another one: is a number "
-          "typed in that comes from the scene, the window or a texture, or is something missing "
-          "or too much that hardly shows in the others?");
+      checked_.cause =
+          first->frame > 0
+              ? say("Each first frame is right, and the one after it isn't: is something that a "
+                    "frame changes not put back, not cleared, or made only once?")
+              : say("It is right in the handed-out scenes, or nearly, and wrong in another one: is "
+                    "a number typed in that comes from the scene, the window or a texture, or is "
+                    "something missing or too much that hardly shows in the others?");
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     // Each effect is right, so all of them may be so in another way: no picture says that they
@@ -309,16 +312,24 @@ private:
     return faults[0]->todo;
   }
 
-  /// Is the program wrong in all scenes in which this mistake is seen? Two may look alike where
-  /// nothing is drawn any more.
+  /// Is the program wrong in all scenes in which this mistake is seen, and this mistake seen in the
+  /// first of those in which the program is wrong? Two may look alike where nothing is drawn any
+  /// more.
   bool isWrongWhere(const Fault& fault) const {
     const auto number = std::size_t(&fault - expected_.faults.data());
-    return std::ranges::all_of(fault.scenes, [&](std::size_t scene) {
-      return !shown_[scene] ||
-             !diagnosis::firstWrong({viewsOf(expected_, number, scene)},
-                                    {expected_.steps[fault.step][scene]}) ||
-             diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]});
-    });
+    bool isFirst = true;
+    for (const std::size_t scene : fault.scenes) {
+      if (!shown_[scene]) continue;
+      const bool isSeen = diagnosis::firstWrong({viewsOf(expected_, number, scene)},
+                                                {expected_.steps[fault.step][scene]})
+                              .has_value();
+      const bool isWrong =
+          diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]}).has_value();
+      if (isSeen && !isWrong) return false;
+      if (isWrong && isFirst && !isSeen) return false;
+      isFirst = isFirst && !isWrong;
+    }
+    return true;
   }
 
   /// The mistakes that show the same as the program, in one scene, among those in a program that

@@ -212,10 +212,11 @@ double agreementThrough(const Image& map, float background, float range,
   return std::min(surface, nothing);
 }
 
-/// Share of the surface that lies between the planes of a perspective; 0 unless it looks from the
-/// light.
+/// Share of the surface that lies between the planes of a perspective that looks from the light; 0
+/// if the matrix is no such perspective.
 double seenThrough(const glm::dmat4& mapFromWorld, bool unit, const LightPoints& points) {
-  if (!looksFromLight(mapFromWorld, unit, points)) return 0;
+  const glm::dvec3 rowOfW(mapFromWorld[0][3], mapFromWorld[1][3], mapFromWorld[2][3]);
+  if (glm::length(rowOfW) < 1e-9 || !looksFromLight(mapFromWorld, unit, points)) return 0;
   std::size_t seen = 0;
   for (const glm::dvec4& world : points.surface) {
     const glm::dvec4 clip = mapFromWorld * world;
@@ -257,9 +258,13 @@ const MapVerdict& bestMap(const View& view) {
     std::vector<glm::dmat4> matrices;
     for (const trace::StepRecord& step : view.trace.stepsOf(*drawn.pass))
       for (const glm::dmat4& matrix : matricesOf(view.trace, step)) matrices.push_back(matrix);
-    for (const glm::dmat4& matrix : matricesOf(view.trace, *drawn.readingStep))
+    // The eye's projection, which the reader has too, is none of the light's.
+    std::vector<glm::dmat4> cameras = perspectives(matrices);
+    for (const glm::dmat4& matrix : matricesOf(view.trace, *drawn.readingStep)) {
       matrices.push_back(matrix);
-    for (const glm::dmat4& matrix : perspectives(matrices))
+      cameras.push_back(matrix);
+    }
+    for (const glm::dmat4& matrix : cameras)
       for (const bool unit : {false, true})
         best.seen = std::max(best.seen, seenThrough(matrix, unit, points));
     if (low > high) continue; // nothing was drawn
