@@ -87,8 +87,8 @@ void app(const gg::Scene& scene) {
       // TODO(targets.2): draw into the three textures instead of the window.
       //   Given:  `targets`. The lines below clear the first colour buffer to the background, and
       //           the depth, of whatever is bound.
-      //   Do:     bind the framebuffer object. Clear the other two colour buffers to black:
-      //           glClearBufferfv(GL_COLOR, 1, ...) and 2. After the objects, bind the window (0).
+      //   Goal:   they are the framebuffer object's, and its other two colour buffers are black
+      //           where no object is. After the objects, the window is drawn into again.
       //           Then composeTargets() in targets.hpp.               (targets.md, step 2)
       const glm::vec4 background(scene.background, 1);
       glClearBufferfv(GL_COLOR, 0, &background[0]);
@@ -112,10 +112,9 @@ void app(const gg::Scene& scene) {
       // TODO(figure.1): draw into the G-buffer instead of the window.
       //   Given:  `figure`. The lines below clear the first colour buffer to black, and the depth,
       //           of whatever is bound.
-      //   Do:     bind its framebuffer object. Clear the normals to 0, and the identifiers, too:
-      //           they are whole numbers, so with glClearBufferuiv. After the objects, bind the
-      //           window (0), and with the depth test off draw the other pictures and show one:
-      //           drawPasses(), showPicture(); then switch the depth test on again.
+      //   Goal:   they are the G-buffer's, and its normals and identifiers (whole numbers) are 0
+      //           where no object is. After the objects, the other pictures are drawn, and one is
+      //           shown in the window: drawPasses(), showPicture(), without a depth test.
       //   Expect: the same flat colours, a little brighter.              (figure.md, step 1)
       const glm::vec4 black(0);
       glClearBufferfv(GL_COLOR, 0, &black[0]);

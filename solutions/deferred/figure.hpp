@@ -102,11 +102,11 @@ inline void allocate(GLuint texture, const glm::ivec2& size, GLenum format, GLen
 // TODO(figure.1): make the G-buffer's framebuffer object.
 //   Given:  `size` (of the window, pixels), `light`, `direction` and `ids` (formats), allocate(),
 //           and the names in `gbuffer`: albedo, normal, ids, depth, framebuffer, hasAlbedo.
-//   Do:     storage: albedo of format `light` and normal of format `direction` (components GL_RGBA,
-//           type GL_FLOAT), ids (GL_RG_INTEGER, GL_UNSIGNED_BYTE), depth of GL_DEPTH_COMPONENT24
-//           (GL_DEPTH_COMPONENT, GL_FLOAT). Attach all four: albedo to colour 0 if hasAlbedo,
-//           normal to colour 1, ids to colour 2; say so to glDrawBuffers. Throw unless it is
-//           complete; bind the window again.                           (figure.md, step 1)
+//   Goal:   `framebuffer` is complete: the shader's output 0 goes into albedo (format `light`) if
+//           hasAlbedo, else nowhere; output 1 into normal (`direction`), output 2 into ids (`ids`,
+//           two whole numbers of a byte each); depth has 24 bits. If it isn't complete,
+//           std::runtime_error is thrown. Afterwards the window is bound.
+//                                                                      (figure.md, step 1)
 inline void makeGBuffer(GBuffer& gbuffer, const glm::ivec2& size, GLenum light, GLenum direction,
                         GLenum ids) {
   // BEGIN SOLUTION(figure.1)

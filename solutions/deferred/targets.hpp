@@ -40,10 +40,10 @@ inline GLenum lightFormat(const gg::Scene& scene) {
 // TODO(targets.1): make the framebuffer object with its three textures.
 //   Given:  `size` (of the window, pixels), `format`, and the names in `targets`: color (three
 //           textures), needed (which of them), depth, framebuffer.
-//   Do:     for each texture that is needed: storage of this size and format; nearest filter, no
-//           mipmaps, clamped at the edges; attach it to GL_COLOR_ATTACHMENT0 + its number. Tell
-//           glDrawBuffers which attachment each of the shader's three outputs goes to, or GL_NONE.
-//           A renderbuffer for the depth. Throw unless it is complete; bind the window again.
+//   Goal:   `framebuffer` is complete, with `depth` and with each texture that is needed: the
+//           shader's output 0, 1 or 2 goes into the texture of that number, or nowhere. Who samples
+//           a texture gets its texels as they are, also at its edge. If it isn't complete,
+//           std::runtime_error is thrown. Afterwards the window is bound.
 //   Expect: the picture doesn't change yet.                           (targets.md, step 1)
 inline void makeTargets(Targets& targets, const glm::ivec2& size, GLenum format) {
   targets.size = size;
@@ -73,9 +73,10 @@ inline void makeTargets(Targets& targets, const glm::ivec2& size, GLenum format)
 }
 
 // TODO(targets.2): compose the picture: from the textures to the window, which is bound.
-//   Do:     bind each texture that is needed to the unit of its number, and make unit 0 active
-//           again; then one triangle over the whole window: bind noVertices,
-//           glDrawArrays(GL_TRIANGLES, 0, 3). The depth test is off already.
+//   Given:  `targets`: its program compose, in use below; noVertices, because screen.vert makes the
+//           three corners of a triangle that covers the window. The depth test is off.
+//   Goal:   each texture that is needed is read through the texture unit of its number, and all of
+//           the window is drawn. Unit 0 is the active one again.
 //   Expect: the same picture as before, now by way of a texture.      (targets.md, step 2)
 inline void composeTargets(const Targets& targets, bool edges) {
   targets.compose.use();
