@@ -42,6 +42,12 @@ std::vector<check::Scene> scenesOfAll(const Assignment& assignment, const fs::pa
 /// behind.
 constexpr double kNextFrame = 0.4;
 
+/// handout.json; an empty object if there is none.
+json handoutSettings(const fs::path& solutions) {
+  const fs::path file = solutions / "handout.json";
+  return fs::exists(file) ? readJson(file) : json::object();
+}
+
 /// The scenes that a student may see.
 std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& part,
                                    const fs::path& solutions, const std::set<std::string>& blank) {
@@ -81,9 +87,7 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
 
 /// handout.json's "frustum": { "shadow.2": ["uProjection", "uView"] }.
 check::Frustum frustumOf(const std::vector<std::string>& todos, const fs::path& solutions) {
-  const fs::path file = solutions / "handout.json";
-  if (!fs::exists(file)) return {};
-  const json frusta = readJson(file).value("frustum", json::object());
+  const json frusta = handoutSettings(solutions).value("frustum", json::object());
   for (const auto& [todo, matrices] : frusta.items())
     if (std::ranges::find(todos, todo) != todos.end()) return {todo, matrices, {}, {}};
   return {};
@@ -252,6 +256,7 @@ void writePictures(const Assignment& assignment, const fs::path& solutions,
                    const std::vector<std::set<std::string>>& filled,
                    const grading::ShaderCache& shaders, check::Expected& expected,
                    const fs::path& into, const grading::Progress& progress) {
+  const json shares = handoutSettings(solutions).value("vertices", json::object());
   report::makeFolder(check::stepPicture(into, 0, 0).parent_path());
   expected.samplers.resize(filled.size());
   std::atomic<std::size_t> done{0};
@@ -264,14 +269,20 @@ void writePictures(const Assignment& assignment, const fs::path& solutions,
     for (std::size_t i = 0; i < expected.scenes.size(); ++i) {
       if (!check::isDrawnAfter(expected, i, k)) continue;
       const check::Scene& scene = expected.scenes[i];
+      const bool isCounted =
+          k + 1 == filled.size() && !scene.another && shares.contains(scene.todo);
       const grading::Rendering rendering =
           program.render(scene.scene, {scene.times.front()}, shaders,
-                         i == 0 ? grading::gradingRequest() : trace::Request{});
+                         i == 0 || isCounted ? grading::gradingRequest() : trace::Request{});
       if (rendering.happened.outcome != results::Outcome::graded)
         throw UsageError(fmt::format("{} doesn't render: {}\n{}", name, rendering.happened.detail,
                                      rendering.happened.output));
       writePng(check::stepPicture(into, k, i),
                rubric::toImage(grading::rawFrames(rendering.capture).at(0)));
+      if (isCounted)
+        expected.scenes[i].mostVertices =
+            std::uint64_t(double(check::verticesOf(rendering.capture.trace)) *
+                          shares.at(scene.todo).get<double>());
       if (i > 0) continue;
       expected.samplers[k] = diagnosis::sampledTextures(rendering.capture.trace);
       if (k + 1 < filled.size()) continue;

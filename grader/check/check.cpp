@@ -111,7 +111,7 @@ public:
   Check(const Assignment& assignment, const Expected& expected, const fs::path& folder,
         const fs::path& work, const grading::Progress& progress)
       : assignment_(assignment), expected_(expected), folder_(folder), work_(work),
-        progress_(progress), windows_(expected.scenes.size()) {}
+        progress_(progress), windows_(expected.scenes.size()), vertices_(expected.scenes.size()) {}
 
   Checked run() {
     const Begun text = begun(stubFolder(expected_.folder), folder_);
@@ -212,6 +212,7 @@ private:
                              sandbox::Isolation::none, grading::gradingRequest(), {}, i == 0);
     const std::vector<rubric::RawFrame> frames = grading::rawFrames(rendering.capture);
     if (!frames.empty()) windows_[i] = rubric::toImage(frames.front());
+    if (!frames.empty()) vertices_[i] = verticesOf(rendering.capture.trace);
     if (rendering.happened.ok())
       shown_[i] = diagnosis::views(rubric::toImages(frames), rendering.capture.trace, true);
     return rendering;
@@ -279,8 +280,24 @@ private:
     if (allRight(checked_.rows)) {
       checked_.cause.clear();
       checked_.hint.clear();
+      countVertices();
     } else if (first) {
       describe(*first);
+    }
+  }
+
+  /// Of a step that leaves out what isn't needed: no picture tells.
+  void countVertices() {
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+      const Scene& scene = expected_.scenes[i];
+      if (!shown_[i] || scene.mostVertices == 0 || vertices_[i] <= scene.mostVertices) continue;
+      for (Row& row : checked_.rows)
+        if (row.todo == scene.todo && row.state == State::done) {
+          row.state = State::wrong;
+          checked_.cause = say("The picture is right, but a frame draws {} vertices where {} are "
+                               "more than enough: is something drawn that this step leaves out?",
+                               vertices_[i], scene.mostVertices);
+        }
     }
   }
 
@@ -493,7 +510,8 @@ private:
   Observed observed_;                                // likewise
   std::string change_; // what turns the right picture into the wrong one
   Shown shown_;
-  std::vector<Image> windows_; // by scene; empty: none came
+  std::vector<Image> windows_;          // by scene; empty: none came
+  std::vector<std::uint64_t> vertices_; // of the first frame, by scene
   Checked checked_;
 };
 

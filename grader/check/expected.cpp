@@ -63,6 +63,12 @@ bool isDrawnAfter(const Expected& expected, std::size_t scene, std::size_t step)
   return todo.empty() || std::ranges::find(before, todo) != before.end();
 }
 
+std::uint64_t verticesOf(const trace::Trace& trace) {
+  std::uint64_t sum = 0;
+  for (const trace::PassRecord& pass : trace.passesOf(0)) sum += pass.vertices;
+  return sum;
+}
+
 fs::path stubFolder(const fs::path& folder) {
   return folder / "handed_out";
 }
@@ -91,7 +97,8 @@ void save(const Expected& expected, const fs::path& folder) {
                       {"scene", scene.scene},
                       {"times", scene.times},
                       {"todo", scene.todo},
-                      {"another", scene.another}});
+                      {"another", scene.another},
+                      {"most_vertices", scene.mostVertices}});
   for (const Fault& fault : expected.faults)
     faults.push_back({{"title", fault.title},
                       {"hint", fault.hint},
@@ -136,7 +143,7 @@ Expected load(const fs::path& folder) {
     for (const json& scene : all.at("scenes"))
       expected.scenes.push_back({scene.at("name"), scene.at("scene"),
                                  scene.at("times").get<std::vector<double>>(), scene.at("todo"),
-                                 scene.at("another")});
+                                 scene.at("another"), scene.at("most_vertices")});
     const std::size_t scenes = expected.scenes.size();
     expected.reference = loadRun(scenes, nullptr, folder, "reference");
     for (std::size_t k = 0; k <= expected.todos.size(); ++k)

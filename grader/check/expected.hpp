@@ -25,12 +25,14 @@ struct Scene {
   std::string todo;
   /// Neither the public scene nor one of the handout's: numbers typed in show in it.
   bool another = false;
+  /// That a finished program may draw in the first frame; 0: any number.
+  std::uint64_t mostVertices = 0;
 };
 
 /// A mistake that is known by what it shows in a program that has come to some step.
 struct Fault {
   std::string title, hint;
-  std::string experiment; ///< that tells it from what looks like it; or empty
+  std::string experiment;            ///< that tells it from what looks like it; or empty
   std::string todo;                  ///< in which it is made
   std::size_t step = 0;              ///< TODOs that the program has done, this one included
   std::set<std::size_t> scenes = {}; ///< in which it is known what it shows
@@ -65,6 +67,9 @@ inline bool isTogether(const Expected& expected) {
 
 /// Is a scene drawn of a program that should have done so many TODOs?
 bool isDrawnAfter(const Expected& expected, std::size_t scene, std::size_t step);
+
+/// Vertices that all draws of the first frame send, instances included.
+std::uint64_t verticesOf(const trace::Trace& trace);
 
 /// The files as they were handed out.
 std::filesystem::path stubFolder(const std::filesystem::path& folder);

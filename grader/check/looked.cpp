@@ -50,7 +50,7 @@ bool hasWrong(const Checked& checked) {
 std::string unknownCause(const Checked& checked) {
   if (!checked.cause.empty() || !hasWrong(checked) || !checked.firstWrong) return {};
   return say("No known mistake shows this picture. Put it beside the expected one: where do "
-                 "they differ, and since which line? Take that line out: what changes?");
+             "they differ, and since which line? Take that line out: what changes?");
 }
 
 const Todo& todoOf(const Part& part, const std::string& id) {
@@ -117,12 +117,12 @@ std::string purposeOf(const Looked& looked, const Row& row) {
 }
 
 std::string sceneOf(const Looked& looked, std::size_t scene) {
-  const auto& [name, values, times, todo, another] = looked.expected->scenes[scene];
-  if (another) return say("in another scene: {}", shown(sceneFile(looked.expected->folder, scene)));
-  if (todo.empty()) return {};
+  const Scene& of = looked.expected->scenes[scene];
+  if (of.another) return say("in another scene: {}", shown(sceneFile(looked.expected->folder, scene)));
+  if (of.todo.empty()) return {};
   const auto& todos = looked.part->todos;
   return say("in the scene of the handout's step {}",
-             std::ranges::find(todos, todo, &Todo::id) - todos.begin() + 1);
+             std::ranges::find(todos, of.todo, &Todo::id) - todos.begin() + 1);
 }
 
 std::string pictureHeading(const Checked& checked) {

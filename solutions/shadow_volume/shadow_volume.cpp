@@ -149,10 +149,9 @@ void app(const gg::Scene& scene) {
     // Pass "volume": counts, in the stencil buffer, how many volumes each pixel's surface lies in.
     // TODO(shadow_volume.3): count. What is seen of the volume from the front is a way in, what is
     //   seen from the back a way out.
-    //   Do:     clear the stencil buffer, once. Below, for every volume: enable the stencil test,
-    //           which always passes. Where the depth test passes, too, front faces increment and
-    //           back faces decrement, with wrap. Nothing may be written to colours and depths, no
-    //           face culled. Draw; put back what you changed.
+    //   Goal:   from 0 in every frame, the stencil holds ways in less ways out that lie before each
+    //           pixel's surface, of all volumes; below 0 it goes on from 255. Colours and depths
+    //           are as they were. After each volume, so is all state.
     //   Expect: the picture doesn't change; ./ggrade inspect shows the stencil. (README.md, step 3)
     // BEGIN SOLUTION(shadow_volume.3)
     if (!volumes.empty()) glClear(GL_STENCIL_BUFFER_BIT);
@@ -171,9 +170,9 @@ void app(const gg::Scene& scene) {
       glDisable(GL_CULL_FACE);
       // END SOLUTION(shadow_volume.3)
       // TODO(shadow_volume.5): if the scene's quality.method is 1, count what is hidden instead, so
-      //   that it doesn't matter where the eye is: where the depth test fails, back faces increment
-      //   and front faces decrement. Nothing of the volume may be cut off: GL_DEPTH_CLAMP, until it
-      //   is drawn.
+      //   that it doesn't matter where the eye is.
+      //   Goal:   the stencil holds ways out less ways in that lie behind each pixel's surface, and
+      //           neither the near nor the far plane cuts a volume off, until it is drawn.
       //   Expect: right also with the eye in a shadow.           (README.md, step 5)
       // BEGIN SOLUTION(shadow_volume.5)
       if (scene.integer("quality.method") == 1) {

@@ -25,9 +25,9 @@ struct VolumeMesh {
 
 // TODO(shadow_volume.1): the faces with vertices of their own, and a rectangle in every edge.
 //   Given:  `mesh`: points, faces (three points each), edges (two half-edges each): edges.hpp.
-//   Do:     for every face, three vertices with its own plane: half-edge h then starts at vertex h.
-//           For every edge, two triangles between its half-edges. They have no area yet. Along each
-//           half-edge they run against its face.
+//   Goal:   every face has three vertices of its own, with its plane, so that half-edge h starts at
+//           vertex h. Two triangles fill every edge from one of its half-edges to the other; they
+//           have no area yet. Along each half-edge they run against its face, as neighbours do.
 //   Expect: with V held down the blocks are white.             (README.md, step 1)
 inline VolumeMesh shadowVolume(const ClosedMesh& mesh) {
   VolumeMesh volume;
@@ -51,9 +51,10 @@ inline VolumeMesh shadowVolume(const ClosedMesh& mesh) {
 
 // TODO(shadow_volume.6): bonus: the same volume with rectangles only where it has a side.
 //   Given:  `mesh`, and `light`, the light's position in the mesh's space.
-//   Do:     each point twice: with the plane (0, 0, 0, 1), which has every light in front of it,
-//           and with (0, 0, 0, -1). Faces towards the light take the first, the others the second;
-//           edges between one of each, the silhouette, get a rectangle, all others nothing.
+//   Goal:   volume.vert makes of it what it makes of the whole one: faces towards the light stay,
+//           the others go to infinity, though a point is there twice at most. (The plane
+//           (0, 0, 0, 1) has every light in front of it, (0, 0, 0, -1) none.) Only the edges of the
+//           silhouette, between a face of each kind, have a rectangle.
 //   Expect: nothing changes, but far fewer triangles are drawn.  (README.md, step 6)
 inline VolumeMesh silhouetteVolume(const ClosedMesh& mesh, const glm::vec3& light) {
   VolumeMesh volume;
