@@ -45,7 +45,7 @@ TEST(Fault, ScaleOnTheWrongSideOfTheView) {
   EXPECT_EQ(graded.earned("mirror.shading"), 0);
   // What samples the texture is right: it is judged with the reference's in its place.
   EXPECT_EQ(graded.earned("mirror.position"), 15);
-  EXPECT_LT(graded.score(), 40);
+  EXPECT_LE(graded.score(), 40);
 }
 
 TEST(Fault, CullingLeftTurned) {
@@ -74,7 +74,8 @@ TEST(Fault, ClippedOnTheWrongSide) {
   const Graded graded = gradeMistake("mirror_clip_sign");
   EXPECT_EQ(graded.earned("mirror.texture"), 0);
   EXPECT_EQ(graded.earned("mirror.clip"), 0);
-  EXPECT_EQ(graded.score(), 35); // the sampling's, judged with the reference's reflection
+  // The pass's 5 and the sampling's, judged with the reference's reflection.
+  EXPECT_EQ(graded.score(), 40);
 }
 
 TEST(Fault, ClipDistanceLeftEnabled) {

@@ -65,6 +65,22 @@ TEST_P(Catalogues, EveryPairAppliesInARow) {
 INSTANTIATE_TEST_SUITE_P(Parts, Catalogues, testing::ValuesIn(everyPart()),
                          [](const auto& info) { return info.param; });
 
+/// What the demo grades.
+TEST(Examples, EveryPatchApplies) {
+  int count = 0;
+  for (const Assignment& assignment : loadAssignments(GGRADE_SOURCE_DIR "/assignments")) {
+    const fs::path solution = fs::path(GGRADE_SOURCE_DIR "/solutions") / assignment.id;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator(solution / "examples", none)) {
+      const TemporaryFolder into;
+      EXPECT_NO_THROW(
+          grading::writeFiles(assignment, {solution, {entry.path()}}, into.path() / "submission"));
+      ++count;
+    }
+  }
+  EXPECT_GE(count, 17);
+}
+
 class FloorCatalogue : public Catalogues {};
 
 TEST_P(FloorCatalogue, HasEnoughOfEveryKind) {
