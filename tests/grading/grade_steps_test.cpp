@@ -28,7 +28,7 @@ struct Way {
 const std::map<std::string, Way> kWays = {
     // Points come with the steps that the rubric can see: sampling an empty texture is worth
     // nothing, the mirrored objects are, inside out or not. A map that nobody asks is none.
-    {"mirror", {{0, 0, 0, 0, 45, 85, 100, 100}, {1, 2}}},
+    {"mirror", {{0, 0, 0, 0, 50, 85, 100, 100}, {1, 2}}},
     {"shadow", {{0, 0, 0, 0, 100, 100, 100}, {1, 2, 3}}},
     {"bloom", {{0, 0, 10, 35, 55, 70, 100}, {1, 3, 4, 5}}}};
 
