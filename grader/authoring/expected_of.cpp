@@ -56,8 +56,9 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
   for (const grading::SceneCase& scene : grading::drawScenes(target, solutions).scenes)
     if (scene.isPublic) scenes.push_back({scene.name, scene.scene, scene.times, "", false});
   const fs::path file = solutions / "handout.json";
-  if (!fs::exists(file)) return scenes;
-  const json settings = readJson(file), steps = settings.value("steps", json::object()),
+  const json settings = handoutSettings(solutions);
+  if (settings.empty()) return scenes;
+  const json steps = settings.value("steps", json::object()),
              others = settings.value("others", json::object());
   const auto addOthers = [&](const std::string& of, const std::string& todo, const json& base) {
     const json list = others.value(of, json::array());

@@ -1,12 +1,11 @@
 #include "check/check.hpp"
 
 #include "check/begun.hpp"
+#include "check/build.hpp"
 #include "check/observed.hpp"
 #include "diagnosis/generic.hpp"
 #include "diagnosis/outcome.hpp"
-#include "grading/overlay.hpp"
 #include "grading/parallel.hpp"
-#include "grading/toolchain.hpp"
 #include "image/png.hpp"
 #include "report/text.hpp"
 #include "report/write_file.hpp"
@@ -29,40 +28,6 @@ namespace {
 
 /// So many mistakes that show the same are named; more are no help.
 constexpr std::size_t kMostCauses = 6;
-
-/// All that the compiler reads.
-std::string compiledText(const fs::path& folder) {
-  std::set<fs::path> files;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-    if (grading::isCompiled(entry.path())) files.insert(entry.path());
-  std::string text;
-  for (const fs::path& file : files) text += file.filename().string() + '\n' + readFile(file);
-  return text;
-}
-
-/// Was the program built of this very text, with the framework as it is?
-bool isBuilt(const fs::path& program, const fs::path& note, const std::string& text) {
-  const fs::path framework = fs::path(toolchain::kKitFolder) / "lib" / ".stamp";
-  return fs::exists(program) && fs::exists(note) && readFile(note) == text &&
-         fs::last_write_time(note) > fs::last_write_time(framework);
-}
-
-/// Puts the student's files where they are built, and builds them unless that was done.
-grading::Happened build(const Assignment& assignment, const fs::path& folder,
-                        const fs::path& program) {
-  const fs::path note = program / ".compiled";
-  for (const fs::directory_entry& entry : fs::directory_iterator(program))
-    if (entry.path() != note && entry.path() != program / assignment.id) fs::remove(entry.path());
-  grading::overlay(assignment, folder, program);
-  const std::string text = compiledText(program);
-  grading::Happened happened;
-  happened.outcome = results::Outcome::graded;
-  if (isBuilt(program / assignment.id, note, text)) return happened;
-  fs::remove(note);
-  happened = grading::buildProgram(assignment.id, program, sandbox::Isolation::none);
-  if (happened.ok()) report::writeFile(note, text);
-  return happened;
-}
 
 /// What is said once is enough.
 std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
@@ -124,7 +89,7 @@ public:
     report::makeFolder(program);
     report::makeFolder(work_ / "shaders");
     progress_(say("building"), 0, expected_.scenes.size() + 1);
-    checked_.happened = build(assignment_, folder_, program);
+    checked_.happened = buildChanged(assignment_, folder_, program);
     compilerOutput_ = checked_.happened.output;
     if (checked_.happened.ok()) {
       drawHandedOut(program);
@@ -211,8 +176,10 @@ private:
         grading::renderScene(assignment_.id, program, scene.scene, scene.times, {work_ / "shaders"},
                              sandbox::Isolation::none, grading::gradingRequest(), {}, i == 0);
     const std::vector<rubric::RawFrame> frames = grading::rawFrames(rendering.capture);
-    if (!frames.empty()) windows_[i] = rubric::toImage(frames.front());
-    if (!frames.empty()) vertices_[i] = verticesOf(rendering.capture.trace);
+    if (!frames.empty()) {
+      windows_[i] = rubric::toImage(frames.front());
+      vertices_[i] = verticesOf(rendering.capture.trace);
+    }
     if (rendering.happened.ok())
       shown_[i] = diagnosis::views(rubric::toImages(frames), rendering.capture.trace, true);
     return rendering;

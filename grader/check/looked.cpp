@@ -118,7 +118,8 @@ std::string purposeOf(const Looked& looked, const Row& row) {
 
 std::string sceneOf(const Looked& looked, std::size_t scene) {
   const Scene& of = looked.expected->scenes[scene];
-  if (of.another) return say("in another scene: {}", shown(sceneFile(looked.expected->folder, scene)));
+  if (of.another)
+    return say("in another scene: {}", shown(sceneFile(looked.expected->folder, scene)));
   if (of.todo.empty()) return {};
   const auto& todos = looked.part->todos;
   return say("in the scene of the handout's step {}",

@@ -22,9 +22,9 @@ struct Mistake {
   /// For the student: what to do, and what is then seen if it is this mistake and none of those
   /// that look like it; or empty.
   std::string experiment;
-  std::string fails;   ///< the item that must fail
-  std::string step;    ///< the TODO to read again
-  std::string shows;   ///< tag of the scenes that show it
+  std::string fails; ///< the item that must fail
+  std::string step;  ///< the TODO to read again
+  std::string shows; ///< tag of the scenes that show it
   results::Outcome outcome = results::Outcome::graded;
   std::string same; ///< name of a mistake with the very same passes, or empty
 };
@@ -50,10 +50,10 @@ struct Catalogue {
 };
 
 /// Reads the patches `<part.id>_*.patch` and the pairs from `folder`, the solution's own or
-/// another; a part without any has an empty catalogue. Titles, hints and experiments of mistakes are in the
-/// language that was chosen, where the solution has them in it. Whether a patch applies shows when
-/// it is applied (see writeFiles). Throws UsageError that names every patch with a fault in its
-/// header and says what is wrong, a line each.
+/// another; a part without any has an empty catalogue. Titles, hints and experiments of mistakes
+/// are in the language that was chosen, where the solution has them in it. Whether a patch applies
+/// shows when it is applied (see writeFiles). Throws UsageError that names every patch with a fault
+/// in its header and says what is wrong, a line each.
 Catalogue loadCatalogue(const Assignment& assignment, const Part& part,
                         const std::filesystem::path& solutionFolder,
                         const std::filesystem::path& folder);

@@ -147,11 +147,11 @@ GGRADE_ITEM("mirror.shading", [](const View& view) {
 });
 
 /// The textures that objects were drawn into and a later pass samples.
-std::vector<Image> objectTextures(const trace::Trace& trace) {
-  std::vector<Image> all;
-  for (const Drawn& drawn : sampledLater(trace))
-    if (drawn.attachment < trace::kColors && drewObjects(*drawn.pass))
-      all.push_back(trace.image(*drawn.copy)); // alpha goes when it is resampled
+std::vector<Drawn> objectTextures(const trace::Trace& trace) {
+  std::vector<Drawn> all = sampledLater(trace);
+  std::erase_if(all, [](const Drawn& drawn) {
+    return drawn.attachment >= trace::kColors || !drewObjects(*drawn.pass);
+  });
   return all;
 }
 
@@ -167,10 +167,11 @@ const WantedTexture& wantedTexture(const SceneEvidence& scene) {
   const auto [entry, fresh] = known.try_emplace(&scene);
   WantedTexture& wanted = entry->second;
   if (fresh) {
-    const std::vector<Image> textures = objectTextures(scene.referenceTrace);
+    const std::vector<Drawn> textures = objectTextures(scene.referenceTrace);
     if (textures.size() != 1) throw std::runtime_error("the reference has no reflection texture");
     const int width = scene.reference.at(0).width(), height = scene.reference.at(0).height();
-    wanted.picture = resampled(textures[0], width, height, 3);
+    const Image texture = scene.referenceTrace.image(*textures[0].copy);
+    wanted.picture = resampled(texture, width, height, 3); // alpha goes
     const auto colour = scene.scene.at("background").get<std::array<float, 3>>();
     wanted.background = Image(width, height, 3);
     for (int y = 0; y < height; ++y)
@@ -236,8 +237,7 @@ Verdict noTexture() {
 
 GGRADE_ITEM("mirror.target", [](const View& view) {
   Verdict best = noTexture();
-  for (const Drawn& drawn : sampledLater(view.trace)) {
-    if (drawn.attachment >= trace::kColors || !drewObjects(*drawn.pass)) continue;
+  for (const Drawn& drawn : objectTextures(view.trace)) {
     const Verdict verdict = fillsTexture(*drawn.pass, drawn.attachment);
     if (verdict.quality >= best.quality) best = verdict;
   }
@@ -247,9 +247,9 @@ GGRADE_ITEM("mirror.target", [](const View& view) {
 GGRADE_ITEM("mirror.texture", [](const View& view) {
   const WantedTexture& wanted = wantedTexture(view.scene);
   Verdict best = noTexture();
-  for (const Image& found : objectTextures(view.trace)) {
+  for (const Drawn& drawn : objectTextures(view.trace)) {
     std::string message;
-    const double quality = textureQuality(found, wanted, message);
+    const double quality = textureQuality(view.trace.image(*drawn.copy), wanted, message);
     if (quality >= best.quality) best = {quality, message};
   }
   return orTheFloor(view, best);
@@ -257,10 +257,9 @@ GGRADE_ITEM("mirror.texture", [](const View& view) {
 
 GGRADE_PASS("mirror.texture", [](const View& view) -> std::vector<PassOutput> {
   // The first one: a reflection is drawn before what shows it.
-  for (const Drawn& drawn : sampledLater(view.trace))
-    if (drawn.attachment < trace::kColors && drewObjects(*drawn.pass))
-      return {{drawn.copy->pass, drawn.attachment}};
-  return {};
+  const std::vector<Drawn> textures = objectTextures(view.trace);
+  if (textures.empty()) return {};
+  return {{textures[0].copy->pass, textures[0].attachment}};
 });
 
 using Colour = std::array<float, 3>;
