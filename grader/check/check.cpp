@@ -224,6 +224,9 @@ private:
               : say("It is right in the handed-out scenes, or nearly, and wrong in another one: is "
                     "a number typed in that comes from the scene, the window or a texture, or is "
                     "something missing or too much that hardly shows in the others?");
+      // Its scene may show what steps before it have made.
+      if (suspect.todo != expected_.todos.front())
+        checked_.cause += ' ' + say("It may lie in a step before this one, too.");
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     // Each effect is right, so all of them may be so in another way: no picture says that they

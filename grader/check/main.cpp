@@ -266,6 +266,9 @@ private:
           told_.tellMore(keyOf(looked), looked.checked);
           break;
         }
+    askedInVain_ = more && std::ranges::all_of(looked_, [](const Looked& looked) {
+                     return lastLevel(looked.checked) == Level::where;
+                   });
     bool isAsked = false;
     for (Looked& looked : looked_) {
       looked.level =
@@ -285,7 +288,10 @@ private:
     if (options_.json)
       fmt::print("{}\n", toJson(looked_).dump(2));
     else
-      fmt::print("{}{}\n", table(looked_, colour, ask), out_.string());
+      fmt::print("{}{}{}\n", table(looked_, colour, ask),
+                 askedInVain_ ? say("There is no hint: all that is known stands above.") + '\n'
+                              : "",
+                 out_.string());
     std::fflush(stdout);
   }
 
@@ -323,8 +329,9 @@ private:
   Part together_;
   std::optional<Expected> expectedTogether_;
   std::vector<Looked> looked_;
-  Saved saved_;        // what was looked at last
-  std::string editor_; // a command with places in it
+  bool askedInVain_ = false; // for a hint
+  Saved saved_;              // what was looked at last
+  std::string editor_;       // a command with places in it
   Beside beside_;
   std::string opened_; // the TODO at which it was opened last
 };
@@ -343,8 +350,10 @@ int run(int argc, char** argv) {
   app.add_flag("--watch", options.watch,
                say("Again on every save, until Ctrl-C; the page follows by itself, and the key h "
                    "tells a hint"));
-  app.add_flag("--hint", options.hint,
-               say("Tell more of what is wrong: first what to look at, asked once more why"));
+  app.add_flag(
+      "--hint", options.hint,
+      say("Tell more of what is wrong: first the likely cause, asked once more its reason and its "
+          "remedy"));
   CLI::Option* open = app.add_flag(
       "--open", options.open,
       say("Open the editor ($VISUAL, else $EDITOR) at the next TODO; with --watch whenever another "

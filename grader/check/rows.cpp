@@ -225,6 +225,14 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     allBegunAreDone();
     return all;
   }
+  // What comes after a step that somebody has left out lacks that step, so nothing tells what else
+  // it lacks.
+  const std::size_t gap =
+      std::size_t(
+          std::ranges::find_if(
+              all, [](const Row& row) { return row.state == State::notBegun && row.seen; }) -
+          all.begin()) +
+      1;
   // Of those that aren't right one is to be mended first: the suspect; else, of those that
   // change the earliest wrong picture, the one that changes what is wrong in it, or the last one.
   Row* culprit = nullptr;
@@ -238,11 +246,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
       break;
     }
     if (row.state != State::waits) continue;
-    const bool gap =
-        std::any_of(all.begin(), all.begin() + std::ptrdiff_t(k), [](const Row& before) {
-          return before.state == State::notBegun && before.seen;
-        });
-    if (!first[k] || (gap && !windows.empty())) continue;
+    if (k > gap || !first[k]) continue;
     // Of an unfinished program the last step was not looked at before.
     const bool isLast = k == should && should + 1 < judging.steps();
     const double overlap = isLast ? 1 : judging.overlap(*first[k], k, should);
@@ -255,7 +259,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
   // What each one changes first is right. Then it is the one that changes what is wrong, or the
   // last one.
   const std::optional<std::size_t> wrong = judging.firstWrong(should);
-  if (!culprit && windows.empty())
+  if (!culprit && windows.empty() && gap > should)
     for (std::size_t k = 1; k < judging.steps(); ++k) {
       Row& row = all[k - 1];
       if (row.state != State::waits && row.state != State::done) continue;

@@ -43,9 +43,8 @@ bool setLimits(const HelperPlan& plan) {
          /* g++ raises its own */ limit(RLIMIT_STACK, 8 << 20, 64 << 20) &&
          both(RLIMIT_MEMLOCK, 64 << 10) && both(RLIMIT_MSGQUEUE, 0) &&
          both(RLIMIT_SIGPENDING, 256) &&
-         // Past the soft limit comes SIGXCPU, which tells this end apart; past the hard one
-         // SIGKILL.
-         limit(RLIMIT_CPU, plan.cpuSeconds, plan.cpuSeconds + 1) &&
+         // In case the supervisor, which ends all of them together, gets no turn.
+         limit(RLIMIT_CPU, plan.cpuSeconds + 1, plan.cpuSeconds + 2) &&
          (plan.processes == 0 || both(RLIMIT_NPROC, plan.processes));
 }
 
