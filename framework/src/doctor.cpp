@@ -62,6 +62,7 @@ struct Watch {
   std::map<GLuint, Target> targets;               // by framebuffer; 0: the window
   std::vector<GLuint> written;                    // framebuffer objects: drawn into or cleared
   TextureTargets textures;
+  std::map<GLuint, std::string> storedAt;      // a 2D texture, where it got its storage last
   std::map<GLuint, std::string> boundAt;       // a framebuffer, last
   std::map<std::string, std::string> calledAt; // a function, last
   std::map<GLuint, DrawingProgram> programs;
@@ -247,7 +248,10 @@ void onDraw() {
   checkUse(program, isNew);
   if (isNew) {
     const SamplerFaults faults = samplerFaults(program, drawing.uniforms);
-    for (const std::string& fault : faults.certain) find(fault + lastPlace());
+    for (const auto& [texture, text] : faults.certain) {
+      const auto stored = watch.storedAt.find(texture);
+      find(text + (stored != watch.storedAt.end() ? stored->second : lastPlace()));
+    }
     for (const std::string& fault : faults.perhaps) watch.perhaps.insert(fault + lastPlace());
     if (watch.fromStart) checkUniforms(program, drawing.uniforms);
   }
@@ -298,6 +302,9 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
   } else if (function == "glBindTexture") {
     const GLenum target = va_arg(arguments, GLenum);
     watch.textures.try_emplace(va_arg(arguments, GLuint), target);
+  } else if (function == "glTexImage2D" || function == "glTexStorage2D") {
+    if (va_arg(arguments, GLenum) == GL_TEXTURE_2D)
+      watch.storedAt[GLuint(ask(GL_TEXTURE_BINDING_2D))] = lastPlace();
   } else if (function == "glBindFramebuffer") {
     va_arg(arguments, GLenum);
     watch.boundAt[va_arg(arguments, GLuint)] = lastPlace();
@@ -314,7 +321,7 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
     forget(program);
   } else if (function == "glLinkProgram") {
     forget(va_arg(arguments, GLuint));
-  } else if (function == "glCullFace") {
+  } else if (function == "glCullFace" || function == "glColorMask") {
     watch.calledAt[name] = lastPlace();
   }
   va_end(arguments);
@@ -347,8 +354,10 @@ void checkViewports(const glm::ivec2& window) {
 // Textures are still there in the next one.
 void forgetFrame() {
   TextureTargets textures = std::move(watch.textures);
+  std::map<GLuint, std::string> storedAt = std::move(watch.storedAt);
   watch = {};
   watch.textures = std::move(textures);
+  watch.storedAt = std::move(storedAt);
 }
 
 } // namespace
@@ -380,6 +389,12 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
              "glCullFace(GL_BACK)",
              ask(GL_CULL_FACE_MODE) == GL_FRONT ? "GL_FRONT" : "GL_FRONT_AND_BACK") +
          watch.calledAt["glCullFace"]);
+  GLboolean mask[4] = {};
+  glad_glGetBooleanv(GL_COLOR_WRITEMASK, mask);
+  if (std::ranges::find(mask, GL_TRUE) == std::end(mask))
+    find(say("colours are left masked: from here on none is written, and the next frame isn't "
+             "cleared. glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE)") +
+         watch.calledAt["glColorMask"]);
   if (watch.targets[0].draws == 0) {
     const bool draws = std::ranges::any_of(
         watch.targets, [](const auto& target) { return target.second.draws > 0; });

@@ -215,8 +215,8 @@ SamplerFaults samplerFaults(GLuint program, const ActiveUniforms& uniforms) {
                                    sampler.name, unit));
     } else if (const std::string fault = textureFault(sampler.type); !fault.empty()) {
       faults.certain.push_back(
-          say("sampler {} reads texture unit {}, where the texture reads as black: it {}",
-              sampler.name, unit, fault));
+          {texture, say("sampler {} reads texture unit {}, where the texture reads as black: it {}",
+                        sampler.name, unit, fault)});
     }
   });
   return faults;

@@ -49,9 +49,15 @@ struct ActiveUniform {
 using ActiveUniforms = std::vector<ActiveUniform>;
 ActiveUniforms activeUniforms(GLuint program);
 
-/// What is wrong with the textures that a program's samplers read, a sentence each.
+/// A texture that reads as black, and a sentence that says why.
+struct TextureFault {
+  GLuint texture;
+  std::string text;
+};
+
+/// What is wrong with the textures that a program's samplers read.
 struct SamplerFaults {
-  std::vector<std::string> certain; ///< incomplete textures
+  std::vector<TextureFault> certain; ///< incomplete textures
   std::vector<std::string>
       perhaps; ///< none, or one without storage: the shader need not ask for it
 };

@@ -64,7 +64,27 @@ Verdict positions(const View& view) {
 }
 GGRADE_ITEM("ssao.position", moving(positions));
 
+/// Of the scene's occlusion, what another radius must change, and what noise may.
+constexpr double kRadiusChange = 0.5, kRadiusNoise = 0.2;
+
+/// Does the submission's occlusion change as the reference's does where only the radius is another
+/// one? By how much in all: where points lie is everybody's own.
+Verdict followsRadius(const View& view) {
+  const SceneEvidence &scene = view.scene, &base = *view.base;
+  const Mask& covered = regionsOf(scene, 0).covered;
+  const auto changed = [&](const Frames& before, const Frames& after) {
+    return apart(smoothed(firstChannels(after.at(0), 1), covered, kNoise),
+                 smoothed(firstChannels(before.at(0), 1), covered, kNoise), covered);
+  };
+  const double expected = changed(base.reference, scene.reference);
+  const double found = changed(base.student, scene.student);
+  return {qualityOf(1 - found / expected, 1 - kRadiusChange, 1 - kRadiusNoise),
+          gg::say("the occlusion changed by {:.0f}% of what it keeps out, {:.0f}% in the reference",
+                  100 * found, 100 * expected)};
+}
+
 Verdict pointsCounted(const View& view) {
+  if (view.base) return followsRadius(view);
   const double least = best(view, [&](const Image& open) { return likeness(view, open); });
   return {qualityOf(least, kPointsFree, kPointsGone), keptOut(least)};
 }
@@ -116,6 +136,8 @@ GGRADE_PASS("ssao.range", [](const View& view) -> std::vector<PassOutput> {
 constexpr double kNoiseFree = 0.15, kNoiseGone = 0.4;
 /// As shares of what a blur across edges makes wrong near them.
 constexpr double kEdgesFree = 0.6, kEdgesGone = 0.9;
+/// Of the noise, in one direction. Right answers leave at most 0.05, a blur along rows alone 0.3.
+constexpr double kStripesFree = 0.12, kStripesGone = 0.25;
 
 /// What a blur that keeps edges makes of it: the mean of the pixels nearby that show the same
 /// surface, by its normal and colour.
@@ -143,28 +165,61 @@ Image blurredWell(const Image& open, const View& view) {
   return out;
 }
 
+/// The reference's occlusion before its blur.
+Image noiseOf(const View& view) {
+  return openings({view.scene, view.scene.reference, view.scene.referenceTrace}).at(0).open;
+}
+
 /// How far a blur of the reference's noise that doesn't look at what pixels show is from the
 /// reference, near edges.
-double lostAcross(const View& view) {
+double lostAcross(const View& view, const Image& noise) {
   const Regions& regions = regionsOf(view.scene, 0);
-  const View reference{view.scene, view.scene.reference, view.scene.referenceTrace};
-  const Image noise = openings(reference).at(0).open;
   const Mask everywhere(noise.width(), noise.height(), true);
   const int reach = view.scene.scene.at("quality").at("blur").get<int>();
   return apart(smoothed(noise, everywhere, reach), regions.open, regions.covered & regions.edges);
 }
 
-/// Pixel by pixel: noise counts, and so do edges that are lost.
-///   across: see lostAcross
-Verdict blurred(const View& view, const Image& open, const Image& wanted, double across) {
+/// How different neighbours are in one direction: the mean over `region`.
+double roughness(const Image& open, const Mask& region, int alongX, int alongY) {
+  double sum = 0, count = 0;
+  for (int y = 0; y + alongY < open.height(); ++y)
+    for (int x = 0; x + alongX < open.width(); ++x)
+      if (region.at(x, y) && region.at(x + alongX, y + alongY)) {
+        sum += std::abs(double(open.at(x + alongX, y + alongY)) - double(open.at(x, y)));
+        ++count;
+      }
+  return sum / std::max(count, 1.0);
+}
+
+/// The share of the noise that is left in the direction in which more is, away from edges. A blur
+/// along one direction alone leaves stripes.
+double stripes(const View& view, const Image& open, const Image& noise) {
   const Regions& regions = regionsOf(view.scene, 0);
-  const double noise = apart(open, wanted, regions.covered & ~regions.edges);
+  const Mask inside = regions.covered & ~regions.edges;
+  double most = 0;
+  for (const auto& [x, y] : {std::pair{1, 0}, {0, 1}}) {
+    const double least = roughness(regions.open, inside, x, y);
+    most = std::max(most, (roughness(open, inside, x, y) - least) /
+                              std::max(roughness(noise, inside, x, y) - least, 1e-6));
+  }
+  return most;
+}
+
+/// Pixel by pixel: noise counts, and so do edges that are lost.
+///   noise: of the reference
+Verdict blurred(const View& view, const Image& open, const Image& wanted, const Image& noise) {
+  const Regions& regions = regionsOf(view.scene, 0);
+  const double across = lostAcross(view, noise);
+  const double left = apart(open, wanted, regions.covered & ~regions.edges);
   const double edges = apart(open, wanted, regions.covered & regions.edges);
-  return {std::min(qualityOf(noise, kNoiseFree, kNoiseGone),
-                   qualityOf(edges / across, kEdgesFree, kEdgesGone)),
+  const double striped = stripes(view, open, noise);
+  return {std::min({qualityOf(left, kNoiseFree, kNoiseGone),
+                    qualityOf(edges / across, kEdgesFree, kEdgesGone),
+                    qualityOf(striped, kStripesFree, kStripesGone)}),
           gg::say("the occlusion differs from a blur by {:.0f}% of what it keeps out, near "
-                  "edges by {:.0f}% ({:.0f}% would be a blur across them)",
-                  100 * noise, 100 * edges, 100 * across)};
+                  "edges by {:.0f}% ({:.0f}% would be a blur across them); along rows or columns "
+                  "{:.0f}% of the noise is left",
+                  100 * left, 100 * edges, 100 * across, 100 * std::max(striped, 0.0))};
 }
 
 /// In the window or in any texture; as the reference's, or as a blur makes it of the submission's
@@ -179,11 +234,11 @@ Verdict blurredAtLast(const View& view) {
     // Next to nothing has no noise to be removed.
     if (apart(own, regions.open, regions.covered) < 0.7) wanted.push_back(own);
   }
-  const double across = lostAcross(view);
+  const Image noise = noiseOf(view);
   Verdict best{-1, ""};
   for (const Image& one : found)
     for (const Image& goal : wanted) {
-      const Verdict verdict = blurred(view, one, goal, across);
+      const Verdict verdict = blurred(view, one, goal, noise);
       if (verdict.quality > best.quality) best = verdict;
     }
   return best;

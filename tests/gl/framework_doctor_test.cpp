@@ -255,6 +255,22 @@ TEST_P(Doctor, CullingIsLeftAtFront) {
                 "from here on. glCullFace(GL_BACK) (framework_doctor_test.cpp:"));
 }
 
+TEST_P(Doctor, ColoursLeftMasked) {
+  int line = 0;
+  const std::string said = frame([&](gg::Window&) {
+    const gg::Program program = triangle("vec4(1)");
+    clear();
+    program.use();
+    draw();
+    line = __LINE__ + 1;
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  });
+  EXPECT_THAT(said, HasSubstr("frame doctor: colours are left masked: from here on none is "
+                              "written, and the next frame isn't cleared. glColorMask(GL_TRUE, "
+                              "GL_TRUE, GL_TRUE, GL_TRUE) (framework_doctor_test.cpp:" +
+                              std::to_string(line) + ")"));
+}
+
 TEST_P(Doctor, ClippingIsEnabledForAShaderThatWritesNoDistance) {
   EXPECT_THAT(frame([&](gg::Window&) {
                 const gg::Program red = triangle(), green = triangle("vec4(0, 1, 0, 1)");
@@ -395,10 +411,13 @@ TEST_P(Doctor, ColoursAreNotCleared) {
 }
 
 TEST_P(Doctor, ATextureWithoutMipmaps) {
+  int line = 0; // where it got its storage
   EXPECT_THAT(
       frame([&](gg::Window&) {
         const gg::Program copy = triangle("texture(uTex, vec2(0))", "uniform sampler2D uTex;");
         const Target target;
+        line = __LINE__ + 1;
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR);
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         clear();
@@ -408,7 +427,8 @@ TEST_P(Doctor, ATextureWithoutMipmaps) {
       HasSubstr("frame doctor: sampler uTex reads texture unit 0, where the texture reads as "
                 "black: it is incomplete: its filter wants mipmaps, and it has none. Set "
                 "GL_TEXTURE_MIN_FILTER to GL_NEAREST or GL_LINEAR "
-                "(framework_doctor_test.cpp:"));
+                "(framework_doctor_test.cpp:" +
+                std::to_string(line) + ")"));
 }
 
 TEST_P(Doctor, ASamplerWithoutATexture) {

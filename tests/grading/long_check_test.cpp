@@ -75,7 +75,8 @@ std::string groupOf(const ggrade::grading::Mistake& mistake) {
   return mistake.same.empty() ? mistake.name : mistake.same;
 }
 
-Told tell(const Known& of, const ggrade::grading::Mistake& mistake, bool finished,
+///   isLeftOut: it is that nothing of its step was done
+Told tell(const Known& of, const ggrade::grading::Mistake& mistake, bool finished, bool isLeftOut,
           const fs::path& files) {
   Told told{mistake.name, mistake.step, finished, {}, {}, true, false, {}};
   std::set<std::string> steps;
@@ -88,8 +89,10 @@ Told tell(const Known& of, const ggrade::grading::Mistake& mistake, bool finishe
     const std::string& state = told.states[i];
     const bool isBlamed = state == "wrong" || state == "differs" || state == "nearly";
     if (state != "done" && state != "not_begun") told.isDone = false;
-    if (isBlamed && steps.count(of.part().todos[i].id)) told.isPlaced = true;
+    if (!steps.count(of.part().todos[i].id)) continue;
+    if (isBlamed || (isLeftOut && state == "not_begun")) told.isPlaced = true;
   }
+  told.isDone = told.isDone && !told.isPlaced;
   if (const json all = json::parse(said, nullptr, false); all.is_array() && !all.empty()) {
     told.cause = all.at(0).at("cause");
     for (const ggrade::grading::Mistake& other : of.catalogue.mistakes)
@@ -121,7 +124,11 @@ TEST_P(LongCheck, PlacesEveryMistake) {
           textOf(of, {of.solutions, {mistake.patch}, filled}, folder.path() / "wrong");
       const std::string right = textOf(of, {of.solutions, {}, filled}, folder.path() / "right");
       if (wrong.empty() || wrong == right) continue; // it can't be made yet
-      all.push_back(tell(of, mistake, finished, folder.path() / "wrong"));
+      std::set<std::string> others = filled;
+      others.erase(mistake.step);
+      const bool isLeftOut =
+          wrong == textOf(of, {of.solutions, {}, others}, folder.path() / "left_out");
+      all.push_back(tell(of, mistake, finished, isLeftOut, folder.path() / "wrong"));
       const Told& told = all.back();
       if (!told.isPlaced)
         std::cout << (told.finished ? "finished " : "at step  ") << told.name << " (" << told.step
