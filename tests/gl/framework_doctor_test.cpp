@@ -411,24 +411,23 @@ TEST_P(Doctor, ColoursAreNotCleared) {
 }
 
 TEST_P(Doctor, ATextureWithoutMipmaps) {
-  int line = 0; // where it got its storage
-  EXPECT_THAT(
-      frame([&](gg::Window&) {
-        const gg::Program copy = triangle("texture(uTex, vec2(0))", "uniform sampler2D uTex;");
-        const Target target;
-        line = __LINE__ + 1;
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR);
-        glBindFramebuffer(GL_FRAMEBUFFER, 0);
-        clear();
-        copy.use();
-        draw();
-      }),
-      HasSubstr("frame doctor: sampler uTex reads texture unit 0, where the texture reads as "
-                "black: it is incomplete: its filter wants mipmaps, and it has none. Set "
-                "GL_TEXTURE_MIN_FILTER to GL_NEAREST or GL_LINEAR "
-                "(framework_doctor_test.cpp:" +
-                std::to_string(line) + ")"));
+  int stored = 0; // the line of its storage
+  const std::string said = frame([&](gg::Window&) {
+    const gg::Program copy = triangle("texture(uTex, vec2(0))", "uniform sampler2D uTex;");
+    const Target target;
+    stored = __LINE__ + 1;
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 4, 4, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_LINEAR);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    clear();
+    copy.use();
+    draw();
+  });
+  EXPECT_THAT(said, HasSubstr("frame doctor: sampler uTex reads texture unit 0, where the texture "
+                              "reads as black: it is incomplete: its filter wants mipmaps, and it "
+                              "has none. Set GL_TEXTURE_MIN_FILTER to GL_NEAREST or GL_LINEAR "
+                              "(framework_doctor_test.cpp:" +
+                              std::to_string(stored) + ")"));
 }
 
 TEST_P(Doctor, ASamplerWithoutATexture) {
