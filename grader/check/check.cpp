@@ -224,9 +224,6 @@ private:
               : say("It is right in the handed-out scenes, or nearly, and wrong in another one: is "
                     "a number typed in that comes from the scene, the window or a texture, or is "
                     "something missing or too much that hardly shows in the others?");
-      // Its scene may show what steps before it have made.
-      if (suspect.todo != expected_.todos.front())
-        checked_.cause += ' ' + say("It may lie in a step before this one, too.");
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     // Each effect is right, so all of them may be so in another way: no picture says that they
@@ -387,6 +384,7 @@ private:
                      ? diagnosis::describe(*first.slot)
                      : say("the window at {} s", expected_.scenes[first.scene].times[first.frame]);
     wrong.scene = first.scene;
+    wrong.another = expected_.scenes[first.scene].another;
     wrong.share = first.share;
     const auto picture = [&](const SceneViews& views) -> const Image* {
       if (!first.slot)

@@ -13,6 +13,7 @@ namespace ggrade::check {
 struct Wrong {
   std::string name;      ///< "the window at 0.9 s"
   std::size_t scene = 0; ///< of `Expected::scenes`
+  bool another = false;  ///< is that a scene that wasn't handed out?
   double share = 0;      ///< of its pixels
   Image ours;            ///< empty: the program makes no such picture
   Image expected;

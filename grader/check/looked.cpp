@@ -87,24 +87,26 @@ std::string headline(const Checked& checked) {
 std::string noteOf(const Checked& checked, const Row& row) {
   if (row.state == State::done && !isSeen(checked, row))
     return say("as far as this scene shows: nothing of it can be seen yet");
+  std::string notes;
+  const auto add = [&](const std::string& note) {
+    notes = notes.empty() ? note : say("{}; {}", notes, note);
+  };
   if (row.state == State::nearly)
-    return say("a little differs that no known mistake explains: a detail, or another right way");
+    add(say("a little differs that no known mistake explains: a detail, or another right way"));
+  if (row.state == State::differs)
+    add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
+            "right way"));
   if (row.state == State::wrong || row.state == State::differs) {
-    const std::string doubt =
-        row.state == State::wrong
-            ? std::string()
-            : say("no known mistake, and the window doesn't show it yet: wrong, or another right "
-                  "way");
-    const std::string names = checked.cause.empty() ? unseenBefore(checked, row) : std::string();
-    if (names.empty()) return doubt;
-    const std::string unseen =
-        say("it may lie in {}, too, of which nothing could be seen before", names);
-    return doubt.empty() ? unseen : say("{}; {}", doubt, unseen);
+    const std::string unseen = checked.cause.empty() ? unseenBefore(checked, row) : std::string();
+    if (!unseen.empty())
+      add(say("it may lie in {}, too, of which nothing could be seen before", unseen));
+    else if (checked.firstWrong && checked.firstWrong->another && &row != &checked.rows.front())
+      add(say("it may lie in a step before it, too"));
   }
   if (row.state == State::waits)
-    return checked.drawn ? say("begun; judged once what comes before it is right")
-                         : say("begun; judged once the program draws");
-  return {};
+    add(checked.drawn ? say("begun; judged once what comes before it is right")
+                      : say("begun; judged once the program draws"));
+  return notes;
 }
 
 std::string purposeOf(const Looked& looked, const Row& row) {

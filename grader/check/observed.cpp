@@ -44,6 +44,14 @@ std::vector<std::string> samplerFaults(const Expected& expected, std::size_t ste
   return faults;
 }
 
+constexpr std::string_view kPlaced[] = {
+    "is incomplete: its filter wants mipmaps, and it has none. Set GL_TEXTURE_MIN_FILTER to "
+    "GL_NEAREST or GL_LINEAR",
+    "is incomplete: it holds whole numbers, which can't be filtered. Set both filters to "
+    "GL_NEAREST",
+    "colours are left masked: from here on none is written, and the next frame isn't cleared. "
+    "glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE)"};
+
 /// The first TODO in whose lines one of these lies.
 std::string firstTodo(const std::vector<std::string>& texts, const std::vector<std::string>& todos,
                       const Expected& expected, const fs::path& folder) {
@@ -90,6 +98,14 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
   observed.todo =
       frustum.empty() ? firstTodo(errors, todos, expected, folder) : expected.frustum.todo;
   observed.isSure = !observed.todo.empty();
+  // Some of what the doctor says has the place where it is to be mended, not where it shows.
+  for (const std::string& fault : observed.faults)
+    if (observed.todo.empty() && std::ranges::any_of(kPlaced, [&](std::string_view what) {
+          return fault.find(gg::words(what)) != fault.npos;
+        })) {
+      observed.todo = firstTodo({fault}, todos, expected, folder);
+      observed.isSure = !observed.todo.empty();
+    }
   if (observed.todo.empty()) observed.todo = firstTodo(observed.faults, todos, expected, folder);
   return observed;
 }

@@ -14,6 +14,10 @@ namespace {
 /// change is at most 1.6%; a change of that size that no known mistake makes is not called wrong.
 constexpr double kNearly = 0.02;
 
+/// Of what is wrong in a picture, what a step must have changed for it to be blamed although
+/// another one's first picture is wrong, later in the frame.
+constexpr double kOwn = 0.5;
+
 /// One picture of all those that a program is compared by. Passes come before windows, as in a
 /// frame.
 struct Cell {
@@ -256,10 +260,12 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
       most = overlap;
     }
   }
-  // What each one changes first is right. Then it is the one that changes what is wrong, or the
-  // last one.
+  // What each one changes first may be right, and the earliest wrong picture comes before it. Then
+  // it is the one that changes what is wrong in that, or the last one.
   const std::optional<std::size_t> wrong = judging.firstWrong(should);
-  if (!culprit && windows.empty() && gap > should)
+  const bool isNamed = culprit && culprit->todo == suspect.todo;
+  if (windows.empty() && gap > should && !isNamed && (!culprit || (wrong && *wrong < earliest))) {
+    most = culprit ? kOwn : -1;
     for (std::size_t k = 1; k < judging.steps(); ++k) {
       Row& row = all[k - 1];
       if (row.state != State::waits && row.state != State::done) continue;
@@ -268,6 +274,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
       culprit = &row;
       most = overlap;
     }
+  }
   if (culprit && windows.empty() && !suspect.isExplained && judging.isNearly(should)) {
     allBegunAreDone();
     culprit->state = State::nearly;
