@@ -20,10 +20,10 @@ vec3 display(vec3 light) {
 
 void main() {
   vec3 light = finite(texelFetch(uScene, ivec2(gl_FragCoord.xy), 0).rgb);
-  // TODO(bloom.6): add the bloom, if there is any.
+  // TODO(bloom.7): add the bloom, if there is any.
   //   Given:  upsample(uBloom, uSize, uFilter), its value at this pixel of the window.
-  // BEGIN SOLUTION(bloom.6)
+  // BEGIN SOLUTION(bloom.7)
   if (uGlows) light += upsample(uBloom, uSize, uFilter);
-  // END SOLUTION(bloom.6)
+  // END SOLUTION(bloom.7)
   oColor = vec4(display(light), 1);
 }

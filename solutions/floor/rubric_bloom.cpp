@@ -138,6 +138,37 @@ LightComparison brightPass(const View& view) {
                       gainOf(view));
 }
 
+/// Does a step of the pass read what another pass drew, and does it draw all of its target?
+bool readsFrom(const View& view, const trace::PassRecord& pass, std::uint32_t writer) {
+  for (const trace::StepRecord& step : view.trace.stepsOf(pass))
+    for (const trace::SampleRecord& sample : view.trace.samplesOf(step))
+      if (sample.writer == writer) return true;
+  return false;
+}
+bool coversItsTarget(const View& view, const trace::PassRecord& pass, const Level& level) {
+  return std::ranges::any_of(view.trace.stepsOf(pass), [&](const trace::StepRecord& step) {
+    const auto& [x, y, width, height] = step.viewport;
+    return x <= 0 && y <= 0 && x + width >= level.width && y + height >= level.height;
+  });
+}
+
+GGRADE_ITEM("bloom.half", [](const View& view) -> Verdict {
+  const Pyramid& found = pyramidOf(view);
+  const Level& level = found.levels.at(0);
+  if (!level.output)
+    return passOrPicture(view, 0,
+                         gg::say("no pass over the whole of a texture of half the scene's size"));
+  if (!holdsLight(level.format))
+    return passOrPicture(view, 0,
+                         gg::say("kept in {}, which ends at 1", trace::glName(level.format)));
+  const trace::PassRecord& pass = view.trace.passes[level.output->pass];
+  if (!found.sceneOutput || !readsFrom(view, pass, found.sceneOutput->pass))
+    return passOrPicture(view, 0, gg::say("level 0 is not drawn from the scene's texture"));
+  if (!coversItsTarget(view, pass, level))
+    return passOrPicture(view, 0, gg::say("the viewport is smaller than level 0"));
+  return {1, gg::say("level 0 is drawn from the scene")};
+});
+
 GGRADE_ITEM("bloom.bright", [](const View& view) {
   std::string scene;
   const bool sceneRight = sceneQuality(view, scene) > 0.5;

@@ -219,7 +219,7 @@ TEST(Steps, EveryStepOfTheFloorHasItsTextAndItsPicture) {
   const std::vector<std::string> pictures = names(folder / "handout");
   // A step that shows nothing in the window, but draws, shows its pass.
   for (const char* name : {"mirror-2-pass.png", "shadow-3-pass.png", "bloom-3-pass.png",
-                           "bloom-4-pass.png", "bloom-5-pass.png"})
+                           "bloom-4-pass.png", "bloom-5-pass.png", "bloom-6-pass.png"})
     EXPECT_THAT(pictures, Contains(name));
 }
 
