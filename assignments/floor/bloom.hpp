@@ -72,9 +72,10 @@ inline void makeLevels(Bloom& bloom, int count, GLenum format, GLint edge) {
 
 // TODO(bloom.3), too: the bright pass, from the scene into level 0.
 //   Given:  bloom.bright, in use: its uSize (a glm::vec2) is the size of what is drawn into;
-//           drawScreen(); texture unit 0. Its filter is in bright.frag.
+//           drawScreen(); texture unit 0.
 //   Goal:   all of level 0 is drawn anew, from the scene's colours.
-//   Expect: the picture doesn't change yet; `./ggrade inspect bloom` shows the pass.
+//   Expect: the picture doesn't change yet; `./ggrade inspect bloom` shows the pass: so far, all of
+//           the scene. What of it is too bright says TODO(bloom.4), in bright.frag.
 //                                                                       (bloom.md, step 3)
 inline void brightPass(const Bloom& bloom, float threshold) {
   bloom.bright.use();
@@ -83,31 +84,31 @@ inline void brightPass(const Bloom& bloom, float threshold) {
   bloom.bright.set("uWeight", 1.0f / static_cast<float>(bloom.levels.size()));
 }
 
-// TODO(bloom.4): down: into each level from 1 on, the one before it, blurred.
+// TODO(bloom.5): down: into each level from 1 on, the one before it, blurred.
 //   Given:  bloom.down, in use, which blurs what it reads through unit 0; the rest as above.
 //   Goal:   each of these levels is drawn anew, the larger ones first.
-//   Expect: the picture doesn't change yet.                             (bloom.md, step 4)
+//   Expect: the picture doesn't change yet.                             (bloom.md, step 5)
 inline void downPasses(const Bloom& bloom, int filter) {
   bloom.down.use();
   bloom.down.set("uSource", 0); // texture unit
   bloom.down.set("uFilter", filter);
 }
 
-// TODO(bloom.5): up: from the last level but one to level 0, add to each the next smaller one.
+// TODO(bloom.6): up: from the last level but one to level 0, add to each the next smaller one.
 //   Given:  bloom.up, in use, as bloom.down is above.
 //   Goal:   level 0 holds the sum of all levels; afterwards nothing is blended any more.
-//   Expect: the picture doesn't change yet.                             (bloom.md, step 5)
+//   Expect: the picture doesn't change yet.                             (bloom.md, step 6)
 inline void upPasses(const Bloom& bloom, int filter) {
   bloom.up.use();
   bloom.up.set("uSource", 0); // texture unit
   bloom.up.set("uFilter", filter);
 }
 
-// TODO(bloom.6): let the composite read level 0, which now holds the sum, through texture unit 1.
+// TODO(bloom.7): let the composite read level 0, which now holds the sum, through texture unit 1.
 //   Given:  `bloom`; its sampler, for this unit, too.
 //   Goal:   between these two functions, level 0 is read by the sampler's rules; after them no
 //           sampler is left. Then add it in composite.frag.
-//   Expect: light around what glows.                                    (bloom.md, step 6)
+//   Expect: light around what glows.                                    (bloom.md, step 7)
 inline void bindSum(const Bloom& bloom) {
 }
 
@@ -115,7 +116,7 @@ inline void unbindSum() {
 }
 
 // The pass "composite": the scene and level 0, into the window. It is made of TODO(bloom.2) and
-// TODO(bloom.6).
+// TODO(bloom.7).
 //   window: its size, pixels;  glows: is there bloom to add?
 inline void compositePass(const Bloom& bloom, const glm::ivec2& window, bool glows, int filter) {
   bloom.composite.use();

@@ -11,10 +11,13 @@ uniform float uWeight;    // 1 / number of levels
 layout(location = 0) out vec4 oColor;
 
 void main() {
-  vec3 bright = vec3(0);
-  // TODO(bloom.3): the part of the scene's light that exceeds the threshold, in the same hue.
-  //   Given:  downsampleFinite(uScene, uSize), the weighted mean of 4 x 4 pixels of the scene (a few
-  //           more where its size is odd), NaN and infinity left out; uThreshold; uWeight.
-  //   Goal:   its share of the light, as bloom.md says, is kept, times uWeight; the rest, and black, is 0.
+  vec3 color = downsampleFinite(uScene, uSize);
+  vec3 bright = color;
+  // TODO(bloom.4): the part of the scene's light that exceeds the threshold, in the same hue.
+  //   Given:  `color`, the weighted mean of 4 x 4 pixels of the scene (a few more where its size is
+  //           odd), NaN and infinity left out; uThreshold; uWeight.
+  //   Goal:   its share of the light, as bloom.md says, is kept, times uWeight; the rest, and black,
+  //           is 0.
+  //   Expect: in level 0, only what glows.                            (bloom.md, step 4)
   oColor = vec4(bright, 1);
 }

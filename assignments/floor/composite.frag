@@ -20,7 +20,7 @@ vec3 display(vec3 light) {
 
 void main() {
   vec3 light = finite(texelFetch(uScene, ivec2(gl_FragCoord.xy), 0).rgb);
-  // TODO(bloom.6): add the bloom, if there is any.
+  // TODO(bloom.7): add the bloom, if there is any.
   //   Given:  upsample(uBloom, uSize, uFilter), its value at this pixel of the window.
   oColor = vec4(display(light), 1);
 }
