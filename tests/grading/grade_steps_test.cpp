@@ -30,7 +30,7 @@ const std::map<std::string, Way> kWays = {
     // nothing, the mirrored objects are, inside out or not. A map that nobody asks is none.
     {"mirror", {{0, 0, 0, 0, 50, 85, 100, 100}, {1, 2}}},
     {"shadow", {{0, 0, 0, 0, 100, 100, 100}, {1, 2, 3}}},
-    {"bloom", {{0, 0, 10, 35, 55, 70, 100}, {1, 3, 4, 5}}}};
+    {"bloom", {{0, 0, 10, 17, 35, 55, 70, 100}, {1, 3, 4, 5, 6}}}};
 
 double pointsOf(const ggrade::Part& part, ggrade::results::ItemKind kind) {
   double sum = 0;
