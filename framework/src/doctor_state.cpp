@@ -156,8 +156,11 @@ std::string textureFault(GLenum samplerType) {
   const auto [minFilter, magFilter] = filters();
   if (wantsMipmaps(minFilter) && std::max(size.x, size.y) > 1 &&
       askTexture(GL_TEXTURE_MAX_LEVEL) > base && textureSize(texture, base + 1).x == 0)
-    return say("is incomplete: its filter wants mipmaps, and it has none. Set "
-               "GL_TEXTURE_MIN_FILTER to GL_NEAREST or GL_LINEAR");
+    return ask(GL_SAMPLER_BINDING) == 0
+               ? say("is incomplete: its filter wants mipmaps, and it has none. Set "
+                     "GL_TEXTURE_MIN_FILTER to GL_NEAREST or GL_LINEAR")
+               : say("has no mipmaps, and the sampler object of this unit wants them. Set its "
+                     "GL_TEXTURE_MIN_FILTER to GL_NEAREST or GL_LINEAR (glSamplerParameteri)");
   const bool integers =
       samplerType == GL_INT_SAMPLER_2D || samplerType == GL_UNSIGNED_INT_SAMPLER_2D;
   if (integers && (magFilter != GL_NEAREST ||
@@ -215,8 +218,9 @@ SamplerFaults samplerFaults(GLuint program, const ActiveUniforms& uniforms) {
                                    sampler.name, unit));
     } else if (const std::string fault = textureFault(sampler.type); !fault.empty()) {
       faults.certain.push_back(
-          {texture, say("sampler {} reads texture unit {}, where the texture reads as black: it {}",
-                        sampler.name, unit, fault)});
+          {ask(GL_SAMPLER_BINDING) == 0 ? texture : 0,
+           say("sampler {} reads texture unit {}, where the texture reads as black: it {}",
+               sampler.name, unit, fault)});
     }
   });
   return faults;

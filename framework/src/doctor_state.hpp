@@ -51,7 +51,7 @@ ActiveUniforms activeUniforms(GLuint program);
 
 /// A texture that reads as black, and a sentence that says why.
 struct TextureFault {
-  GLuint texture;
+  GLuint texture; ///< whose own settings are wrong; 0: those of a sampler object
   std::string text;
 };
 

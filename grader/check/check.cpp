@@ -205,6 +205,10 @@ private:
     Suspect suspect;
     if (first && !expected_.scenes[first->scene].another) {
       suspect.todo = likeliest(first->scene);
+      // One picture of one colour looks like the next.
+      if (!suspect.todo.empty() && checked_.titles.empty() && isOneColour(*first))
+        checked_.cause = say("a picture of one colour has many causes, and this is one of them: {}",
+                             checked_.cause);
       // Of a TODO's own scene it isn't known what all mistakes of other TODOs show.
       for (std::size_t i = 0; i < shown_.size() && suspect.todo.empty(); ++i)
         if (i != first->scene && shown_[i] && !expected_.scenes[i].another &&
@@ -226,6 +230,7 @@ private:
                     "something missing or too much that hardly shows in the others?");
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
+    blameStorage();
     // Each effect is right, so all of them may be so in another way: no picture says that they
     // aren't.
     if (isTogether(expected_) && !suspect.isExplained)
@@ -253,6 +258,19 @@ private:
     }
   }
 
+  /// A texture of another size is made in the step before those that draw into it, and nobody sees
+  /// that one: of the unseen ones right before what looks wrong, the first.
+  void blameStorage() {
+    if (!observed_.isStorage) return;
+    std::vector<Row>& rows = checked_.rows;
+    const auto wrong = std::ranges::find(rows, State::wrong, &Row::state);
+    auto first = wrong;
+    while (wrong != rows.end() && first != rows.begin() && !std::prev(first)->seen) --first;
+    if (first == wrong) return;
+    first->state = State::wrong;
+    for (auto row = std::next(first); row != std::next(wrong); ++row) row->state = State::waits;
+  }
+
   /// Of a step that leaves out what isn't needed: no picture tells.
   void countVertices() {
     for (std::size_t i = 0; i < shown_.size(); ++i) {
@@ -266,6 +284,25 @@ private:
                                vertices_[i], scene.mostVertices);
         }
     }
+  }
+
+  /// `first.scene` is one of `Expected::scenes`.
+  bool isOneColour(const diagnosis::FirstWrong& first) const {
+    const Image* image = pictureOf(*shown_[first.scene], first);
+    if (!image || image->pixelCount() == 0) return false;
+    const auto corner = image->pixel(0, 0);
+    for (int y = 0; y < image->height(); ++y)
+      for (int x = 0; x < image->width(); ++x)
+        for (int c = 0; c < image->channels(); ++c)
+          if (std::abs(image->at(x, y, c) - corner[std::size_t(c)]) > 1.0f / 255) return false;
+    return true;
+  }
+
+  static const Image* pictureOf(const SceneViews& views, const diagnosis::FirstWrong& first) {
+    if (!first.slot)
+      return first.frame < views.windows.size() ? &views.windows[first.frame] : nullptr;
+    const diagnosis::PassView* pass = views.find(*first.slot);
+    return pass ? &pass->picture : nullptr;
   }
 
   bool isWindowRight(std::size_t scene) const {
@@ -386,14 +423,8 @@ private:
     wrong.scene = first.scene;
     wrong.another = expected_.scenes[first.scene].another;
     wrong.share = first.share;
-    const auto picture = [&](const SceneViews& views) -> const Image* {
-      if (!first.slot)
-        return first.frame < views.windows.size() ? &views.windows[first.frame] : nullptr;
-      const diagnosis::PassView* pass = views.find(*first.slot);
-      return pass ? &pass->picture : nullptr;
-    };
-    const Image* ours = picture(*shown_[first.scene]);
-    const Image* expected = picture(expected_.steps[step_][first.scene]);
+    const Image* ours = pictureOf(*shown_[first.scene], first);
+    const Image* expected = pictureOf(expected_.steps[step_][first.scene], first);
     if (ours) wrong.ours = *ours;
     if (expected) wrong.expected = *expected;
     if (ours && expected && ours->channels() == expected->channels()) {

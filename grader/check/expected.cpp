@@ -10,7 +10,7 @@
 
 namespace ggrade::diagnosis {
 
-NLOHMANN_JSON_SERIALIZE_ENUM(Sampled, {{Sampled::color, "color"}, {Sampled::depth, "depth"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sampled, isDepth, width, height)
 
 } // namespace ggrade::diagnosis
 

@@ -15,31 +15,66 @@ using gg::say;
 
 namespace {
 
-/// Samplers that don't read what they read in the reference after as many TODOs.
-std::vector<std::string> samplerFaults(const Expected& expected, std::size_t step,
-                                       const trace::Trace& trace) {
-  std::vector<std::string> faults;
+/// Rounded sizes are as right.
+bool sameSize(const diagnosis::Sampled& a, const diagnosis::Sampled& b) {
+  const auto near = [](std::uint32_t m, std::uint32_t n) {
+    return std::max(m, n) - std::min(m, n) <= 1;
+  };
+  return near(a.width, b.width) && near(a.height, b.height);
+}
+
+/// Is anything drawn into a texture of this size?
+bool drawsInto(const trace::Trace& trace, const diagnosis::Sampled& size) {
+  return std::ranges::any_of(trace.passes, [&](const trace::PassRecord& pass) {
+    return std::ranges::any_of(pass.images, [&](const trace::ImageRef& image) {
+      return image.kind == std::uint32_t(trace::ImageKind::texture) &&
+             sameSize({false, image.width, image.height}, size);
+    });
+  });
+}
+
+/// A sampler that doesn't read what it reads in the reference after as many TODOs.
+struct SamplerFault {
+  std::string sampler, text;
+  bool isStorage = false; ///< no texture of the right size is there that could be read
+};
+std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t step,
+                                        const trace::Trace& trace) {
+  std::vector<SamplerFault> faults;
   const auto sampled = diagnosis::sampledTextures(trace);
-  for (const auto& [sampler, kind] : expected.samplers[step]) {
+  for (const auto& [sampler, wanted] : expected.samplers[step]) {
     // What has one before this part begins may have it from another part, which may not be done.
     if (expected.samplers[0].count(sampler)) continue;
     const auto found = sampled.find(sampler);
     if (found == sampled.end())
+      faults.push_back({sampler, say("The sampler {} reads no texture: is one bound to the texture "
+                                     "unit that it is set to?",
+                                     sampler)});
+    else if (found->second.isDepth != wanted.isDepth)
       faults.push_back(
-          say("The sampler {} reads no texture: is one bound to the texture unit that it "
-              "is set to?",
-              sampler));
-    else if (found->second != kind)
+          {sampler,
+           wanted.isDepth
+               ? say("The sampler {} reads colours, not depths: another texture is bound to the "
+                     "unit that it is set to. Was its unit made active (glActiveTexture) before "
+                     "yours was bound?",
+                     sampler)
+               : say("The sampler {} reads depths, not colours: another texture is bound to the "
+                     "unit that it is set to. Was its unit made active (glActiveTexture) before "
+                     "yours was bound?",
+                     sampler)});
+    else if (!sameSize(found->second, wanted)) {
+      const auto& [isDepth, width, height] = found->second;
+      const bool isStorage = !drawsInto(trace, wanted);
       faults.push_back(
-          kind == diagnosis::Sampled::depth
-              ? say("The sampler {} reads colours, not depths: another texture is bound to the "
-                    "unit that it is set to. Was its unit made active (glActiveTexture) before "
-                    "yours was bound?",
-                    sampler)
-              : say("The sampler {} reads depths, not colours: another texture is bound to the "
-                    "unit that it is set to. Was its unit made active (glActiveTexture) before "
-                    "yours was bound?",
-                    sampler));
+          {sampler,
+           isStorage ? say("The sampler {} reads a texture of {} x {} pixels, and should read one "
+                           "of {} x {}: which size does its storage get?",
+                           sampler, width, height, wanted.width, wanted.height)
+                     : say("The sampler {} reads a texture of {} x {} pixels, and should read one "
+                           "of {} x {}: which texture is bound to its unit?",
+                           sampler, width, height, wanted.width, wanted.height),
+           isStorage});
+    }
   }
   return faults;
 }
@@ -77,17 +112,23 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
   if (!frustum.empty()) observed.faults.push_back(frustum);
   for (std::string& fault : diagnosis::stateFaults(trace))
     observed.faults.push_back(std::move(fault));
+  const std::vector<SamplerFault> samplers = samplerFaults(expected, step, trace);
+  observed.isStorage = std::ranges::any_of(samplers, &SamplerFault::isStorage);
   const std::string doctor = doctorsPrefix();
-  const auto said = std::ranges::find_if(
-      messages, [&](const std::string& text) { return text.starts_with(doctor); });
+  const auto said = std::ranges::find_if(messages, [&](const std::string& text) {
+    // Of a texture that shouldn't be read at all it says nothing to the point.
+    return text.starts_with(doctor) &&
+           std::ranges::none_of(samplers, [&](const SamplerFault& fault) {
+             return fault.isStorage || text.find(' ' + fault.sampler + ' ') != text.npos;
+           });
+  });
   // What it says after that are guesses.
   if (said != messages.end()) {
     const std::string text = said->substr(doctor.size());
     const bool vague = text.starts_with(gg::words("all pixels of the window have one colour"));
     (vague ? observed.guess : observed.faults.emplace_back()) = text;
   }
-  for (std::string& fault : samplerFaults(expected, step, trace))
-    observed.faults.push_back(std::move(fault));
+  for (const SamplerFault& fault : samplers) observed.faults.push_back(fault.text);
 
   std::vector<std::string> errors;
   for (const channel::CapturedMessage& message : captured)
@@ -95,6 +136,12 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
     if (message.kind == channel::MessageKind::glError &&
         message.text.find("GL_INVALID_FRAMEBUFFER_OPERATION") == message.text.npos)
       errors.push_back(message.text);
+  // The program's own words have the line, too, where the driver's haven't.
+  const std::string error = say("OpenGL: error: {}", "");
+  for (const std::string& message : messages)
+    if (message.starts_with(error) &&
+        message.find("GL_INVALID_FRAMEBUFFER_OPERATION") == message.npos)
+      errors.push_back(message);
   observed.todo =
       frustum.empty() ? firstTodo(errors, todos, expected, folder) : expected.frustum.todo;
   observed.isSure = !observed.todo.empty();

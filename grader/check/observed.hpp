@@ -18,6 +18,7 @@ struct Observed {
   /// at a line is, or a matrix that one TODO makes; a state is often left by another.
   std::string todo;
   bool isSure = false;
+  bool isStorage = false; ///< a texture that is read has another size than in the reference
 };
 
 /// Before what the frame doctor says.

@@ -131,6 +131,29 @@ std::vector<Place> placesOf(const std::string& todo, const std::vector<std::stri
   return places;
 }
 
+namespace {
+
+/// Is this line one that was handed out, in a function below that of the TODO before it?
+bool isHandedOut(const std::string& stub, const std::string& text, const std::string& todo,
+                 int line) {
+  const auto comment = commentIn(stub, todo);
+  const std::vector<std::string> now = trimmedLines(text);
+  if (!comment || std::size_t(line) > now.size() || now[std::size_t(line - 1)].empty())
+    return false;
+  std::istringstream in(stub);
+  bool isBelow = false;
+  int number = 1;
+  for (std::string one; std::getline(in, one); ++number) {
+    if (number <= comment->line) continue;
+    if (one.find("TODO(") != one.npos && one.find("TODO(" + todo) == one.npos) return false;
+    if (isBelow && trimmedLines(one).front() == now[std::size_t(line - 1)]) return true;
+    isBelow = isBelow || one.starts_with('}');
+  }
+  return false;
+}
+
+} // namespace
+
 std::string todoAt(const std::string& message, const std::vector<std::string>& todos,
                    const fs::path& stub, const fs::path& folder) {
   static const std::regex end(R"(.*\(([^\s:/()]+):(\d{1,8})\)[^()]*)");
@@ -145,6 +168,9 @@ std::string todoAt(const std::string& message, const std::vector<std::string>& t
         nearest = place.line;
         found = todo;
       }
+  if (!found.empty() &&
+      isHandedOut(readFile(stub / match[1].str()), readFile(folder / match[1].str()), found, line))
+    return {};
   return found;
 }
 

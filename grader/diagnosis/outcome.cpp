@@ -262,9 +262,8 @@ std::map<std::string, Sampled> sampledTextures(const trace::Trace& trace) {
     for (const StepRecord& step : trace.stepsOf(pass))
       for (const trace::SampleRecord& sample : trace.samplesOf(step))
         if (sample.image.name != 0)
-          textures[sample.uniform] = trace::glName(sample.image.format).starts_with("DEPTH")
-                                         ? Sampled::depth
-                                         : Sampled::color;
+          textures[sample.uniform] = {trace::glName(sample.image.format).starts_with("DEPTH"),
+                                      sample.image.width, sample.image.height};
   return textures;
 }
 

@@ -41,10 +41,14 @@ std::vector<std::string> tellingWarnings(const std::string& compilerOutput, std:
 /// some of them.
 std::vector<std::string> stateFaults(const trace::Trace& trace);
 
-/// What a sampler reads.
-enum class Sampled { color, depth };
+/// A texture that a sampler reads; pixels.
+struct Sampled {
+  bool isDepth = false;
+  std::uint32_t width = 0, height = 0;
+  friend bool operator==(const Sampled&, const Sampled&) = default;
+};
 
-/// Of the samplers, by name, that read a texture in the first frame, the kind of the last one.
+/// Of the samplers, by name, that read a texture in the first frame, the last one.
 std::map<std::string, Sampled> sampledTextures(const trace::Trace& trace);
 
 } // namespace ggrade::diagnosis

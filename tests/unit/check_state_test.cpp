@@ -79,11 +79,13 @@ TEST(CheckState, SamplersAreListedWithWhatTheyRead) {
   ASSERT_FALSE(trace.samples.empty());
   const std::string name = trace.samples[0].uniform;
   trace.samples[0].image.format = 0x8058; // GL_RGBA8
+  trace.samples[0].image.width = 7;
+  trace.samples[0].image.height = 5;
   EXPECT_THAT(diagnosis::sampledTextures(trace),
-              ElementsAre(std::pair(name, diagnosis::Sampled::color)));
+              ElementsAre(std::pair(name, diagnosis::Sampled{false, 7, 5})));
   trace.samples[0].image.format = 0x81A6; // GL_DEPTH_COMPONENT24
   EXPECT_THAT(diagnosis::sampledTextures(trace),
-              ElementsAre(std::pair(name, diagnosis::Sampled::depth)));
+              ElementsAre(std::pair(name, diagnosis::Sampled{true, 7, 5})));
   trace.samples[0].image.name = 0;
   EXPECT_THAT(diagnosis::sampledTextures(trace), IsEmpty());
 }
