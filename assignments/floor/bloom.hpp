@@ -75,7 +75,7 @@ inline void makeLevels(Bloom& bloom, int count, GLenum format, GLint edge) {
 //           drawScreen(); texture unit 0.
 //   Goal:   all of level 0 is drawn anew, from the scene's colours.
 //   Expect: the picture doesn't change yet; `./ggrade inspect bloom` shows the pass: so far, all of
-//           the scene. What of it is too bright says TODO(bloom.4), in bright.frag.
+//           the scene. What of it is too bright is the next step's, in bright.frag.
 //                                                                       (bloom.md, step 3)
 inline void brightPass(const Bloom& bloom, float threshold) {
   bloom.bright.use();

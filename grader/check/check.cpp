@@ -248,6 +248,13 @@ private:
         if (row.state == State::done && (!last || last->todo != observed_.todo)) last = &row;
       if (last) last->state = State::wrong;
     }
+    // It ended early in a scene that was not handed out.
+    if (!checked_.happened.ok() && allRight(checked_.rows)) {
+      Row* last = nullptr;
+      for (Row& row : checked_.rows)
+        if (row.state == State::done && begun_.count(row.todo)) last = &row;
+      if (last) last->state = State::wrong;
+    }
     // Right is what the windows show, however the passes are made.
     if (allRight(checked_.rows)) {
       checked_.cause.clear();

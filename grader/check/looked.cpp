@@ -115,7 +115,9 @@ std::string purposeOf(const Looked& looked, const Row& row) {
     if (item.step == row.todo && item.kind == results::ItemKind::gain)
       titles += (titles.empty() ? "" : "; ") + std::string(words(item.title));
   if (titles.empty()) return std::string(words(todoOf(*looked.part, row.todo).title));
-  return isSeen(looked.checked, row) ? titles : say("what it is for shows later: {}", titles);
+  return isSeen(looked.checked, row)
+             ? titles
+             : say("nothing of it shows yet; whether it is right shows later: {}", titles);
 }
 
 std::string sceneOf(const Looked& looked, std::size_t scene) {

@@ -47,8 +47,8 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
     if (expected.samplers[0].count(sampler)) continue;
     const auto found = sampled.find(sampler);
     if (found == sampled.end())
-      faults.push_back({sampler, say("The sampler {} reads no texture: is one bound to the texture "
-                                     "unit that it is set to?",
+      faults.push_back({sampler, say("The sampler {} reads no texture: does its shader use it, and "
+                                     "is one bound to the texture unit that it is set to?",
                                      sampler)});
     else if (found->second.isDepth != wanted.isDepth)
       faults.push_back(

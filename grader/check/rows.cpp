@@ -100,8 +100,18 @@ public:
   /// cleared, once objects are drawn into it.)
   std::optional<std::size_t> firstChanged(std::size_t k) const {
     for (std::size_t c = 0; c < cells_.size(); ++c)
-      if (ofStep(k, cells_[c]) && !diagnosis::alike(ofStep(k, cells_[c]), ofStep(k - 1, cells_[c])))
-        return c;
+      if (ofStep(k, cells_[c]) && isChanged(c, k)) return c;
+    return std::nullopt;
+  }
+
+  /// The first picture that step k changes and that isn't right: the first of all that it changes,
+  /// or one that none of the later ones up to `should` changes again.
+  std::optional<std::size_t> firstUnlike(std::size_t k, std::size_t should) const {
+    const std::optional<std::size_t> first = firstChanged(k);
+    for (std::size_t c = first.value_or(cells_.size()); c < cells_.size(); ++c) {
+      if (c != *first && (!cells_[c].slot || !isLastToChange(c, k, should))) continue;
+      if (!isRight(c, k, should)) return c;
+    }
     return std::nullopt;
   }
 
@@ -151,6 +161,15 @@ public:
   }
 
 private:
+  bool isChanged(std::size_t cell, std::size_t k) const {
+    return !diagnosis::alike(ofStep(k, cells_[cell]), ofStep(k - 1, cells_[cell]));
+  }
+  bool isLastToChange(std::size_t cell, std::size_t k, std::size_t should) const {
+    if (!ofStep(k, cells_[cell]) || !isChanged(cell, k)) return false;
+    for (std::size_t later = k + 1; later <= should; ++later)
+      if (isChanged(cell, later)) return false;
+    return true;
+  }
   const Image* ofStep(std::size_t k, const Cell& cell) const {
     return pictureOf(expected_.steps[k][cell.scene], cell);
   }
@@ -207,15 +226,16 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
   const std::vector<std::size_t> windows = judging.withTheseWindows();
   const std::size_t should = expectedStep(expected, begun);
   std::vector<Row> all;
-  std::vector<std::optional<std::size_t>> first{std::nullopt};
+  std::vector<std::optional<std::size_t>> first{std::nullopt}; // wrong picture, of each step
   for (std::size_t k = 1; k < judging.steps(); ++k) {
-    first.push_back(judging.firstChanged(k));
-    Row row{expected.todos[k - 1], State::notBegun, first[k].has_value()};
+    const std::optional<std::size_t> changed = judging.firstChanged(k);
+    const std::optional<std::size_t> unlike = judging.firstUnlike(k, should);
+    first.push_back(unlike ? unlike : changed);
+    Row row{expected.todos[k - 1], State::notBegun, changed.has_value()};
     const bool isBegun = begun.count(row.todo) > 0;
     if (!windows.empty() && k <= windows.front())
       row.state = isBegun || row.seen ? State::done : State::notBegun;
-    else if (isBegun && ((first[k] && judging.isRight(*first[k], k, should)) ||
-                         (!row.seen && !windows.empty())))
+    else if (isBegun && ((changed && !unlike) || (!row.seen && !windows.empty())))
       row.state = State::done;
     else if (isBegun)
       row.state = State::waits;
