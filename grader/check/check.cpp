@@ -143,8 +143,11 @@ private:
     grading::inParallel(scenes.size(), grading::workers(), [&](std::size_t k) {
       happened[k] = drawScene(program, scenes[k]).happened;
     });
-    for (const grading::Happened& one : happened)
-      if (!one.ok() && checked_.happened.ok()) checked_.happened = one;
+    for (std::size_t k = 0; k < scenes.size(); ++k)
+      if (!happened[k].ok() && checked_.happened.ok()) {
+        checked_.happened = happened[k];
+        endedAt_ = expected_.scenes[scenes[k]].todo;
+      }
   }
 
   /// Where somebody has written anything, pictures tell what of it is done, wherever it stands. Of
@@ -214,6 +217,7 @@ private:
         if (i != first->scene && shown_[i] && !expected_.scenes[i].another &&
             (i == 0 || diagnosis::firstWrong({*shown_[i]}, {expected_.steps[step_][i]})))
           suspect.todo = likeliest(i);
+      suspect.isSure = !suspect.todo.empty() || observed_.isSure;
       if ((suspect.todo.empty() || observed_.isSure) && begun_.count(observed_.todo))
         suspect.todo = observed_.todo;
       suspect.isExplained = !suspect.todo.empty() || !observed_.faults.empty() ||
@@ -252,7 +256,8 @@ private:
     if (!checked_.happened.ok() && allRight(checked_.rows)) {
       Row* last = nullptr;
       for (Row& row : checked_.rows)
-        if (row.state == State::done && begun_.count(row.todo)) last = &row;
+        if (row.state == State::done && begun_.count(row.todo) && (!last || last->todo != endedAt_))
+          last = &row;
       if (last) last->state = State::wrong;
     }
     // Right is what the windows show, however the passes are made.
@@ -514,7 +519,8 @@ private:
   diagnosis::Facts facts_;
   std::vector<channel::CapturedMessage> glMessages_; // of the public scene
   Observed observed_;                                // likewise
-  std::string change_; // what turns the right picture into the wrong one
+  std::string endedAt_; // the TODO in whose scene, not the public one, the program ended early
+  std::string change_;  // what turns the right picture into the wrong one
   Shown shown_;
   std::vector<Image> windows_;          // by scene; empty: none came
   std::vector<std::uint64_t> vertices_; // of the first frame, by scene

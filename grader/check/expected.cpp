@@ -10,7 +10,7 @@
 
 namespace ggrade::diagnosis {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sampled, isDepth, width, height)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sampled, isDepth, width, height, byObject, isComplete)
 
 } // namespace ggrade::diagnosis
 

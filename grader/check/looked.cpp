@@ -102,6 +102,8 @@ std::string noteOf(const Checked& checked, const Row& row) {
       add(say("it may lie in {}, too, of which nothing could be seen before", unseen));
     else if (checked.firstWrong && checked.firstWrong->another && &row != &checked.rows.front())
       add(say("it may lie in a step before it, too"));
+    else if (!checked.firstWrong && !checked.happened.ok())
+      add(say("the program ends in another scene; it may lie in another step, too"));
   }
   if (row.state == State::waits)
     add(checked.drawn ? say("begun; judged once what comes before it is right")

@@ -63,7 +63,7 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
                      "yours was bound?",
                      sampler)});
     else if (!sameSize(found->second, wanted)) {
-      const auto& [isDepth, width, height] = found->second;
+      const auto [width, height] = std::pair(found->second.width, found->second.height);
       const bool isStorage = !drawsInto(trace, wanted);
       faults.push_back(
           {sampler,
@@ -74,7 +74,12 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
                            "of {} x {}: which texture is bound to its unit?",
                            sampler, width, height, wanted.width, wanted.height),
            isStorage});
-    }
+    } else if (!found->second.isComplete && wanted.byObject && !found->second.byObject)
+      faults.push_back(
+          {sampler, say("The sampler {} reads black, as the texture's own filter wants "
+                        "mipmaps: is the sampler object bound to its unit "
+                        "(glBindSampler)?",
+                        sampler)});
   }
   return faults;
 }

@@ -146,7 +146,8 @@ bool isHandedOut(const std::string& stub, const std::string& text, const std::st
   for (std::string one; std::getline(in, one); ++number) {
     if (number <= comment->line) continue;
     if (one.find("TODO(") != one.npos && one.find("TODO(" + todo) == one.npos) return false;
-    if (isBelow && trimmedLines(one).front() == now[std::size_t(line - 1)]) return true;
+    if (isBelow && !one.empty() && trimmedLines(one).front() == now[std::size_t(line - 1)])
+      return true;
     isBelow = isBelow || one.starts_with('}');
   }
   return false;

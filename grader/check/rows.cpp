@@ -265,7 +265,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
   for (std::size_t k = 1; k < judging.steps(); ++k) {
     Row& row = all[k - 1];
     if (row.todo == suspect.todo && row.state != State::notBegun &&
-        (suspect.isExplained || windows.empty())) {
+        (suspect.isExplained || windows.empty()) && (k <= gap || suspect.isSure)) {
       culprit = &row;
       break;
     }

@@ -39,6 +39,7 @@ using Shown = std::vector<std::optional<diagnosis::SceneViews>>;
 struct Suspect {
   std::string todo;         ///< empty: nothing is known
   bool isExplained = false; ///< is it known what is wrong? Then little is wrong, too
+  bool isSure = false;      ///< also where a step before it was left out
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,

@@ -263,7 +263,8 @@ std::map<std::string, Sampled> sampledTextures(const trace::Trace& trace) {
       for (const trace::SampleRecord& sample : trace.samplesOf(step))
         if (sample.image.name != 0)
           textures[sample.uniform] = {trace::glName(sample.image.format).starts_with("DEPTH"),
-                                      sample.image.width, sample.image.height};
+                                      sample.image.width, sample.image.height, sample.sampler != 0,
+                                      sample.incomplete == 0};
   return textures;
 }
 

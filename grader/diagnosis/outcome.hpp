@@ -45,6 +45,8 @@ std::vector<std::string> stateFaults(const trace::Trace& trace);
 struct Sampled {
   bool isDepth = false;
   std::uint32_t width = 0, height = 0;
+  bool byObject = false;  ///< by the settings of a sampler object
+  bool isComplete = true; ///< else it reads as black
   friend bool operator==(const Sampled&, const Sampled&) = default;
 };
 

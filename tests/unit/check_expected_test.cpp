@@ -28,7 +28,7 @@ Expected small() {
   all.reference = {right, right, right};
   all.steps = {{black, right, right}, all.reference};
   all.frustum = {"mirror.1", {"uProjection", "uView"}, {{1, 2, 3}}, {0.9, 0.8, 0.5}};
-  all.samplers = {{}, {{"uShadowMap", {true, 512, 256}}}};
+  all.samplers = {{}, {{"uShadowMap", {true, 512, 256, true, false}}}};
   all.faults = {
       {"A title", "A hint", "A test", "mirror.1", 1, {0, 1}, {"x", "group", {black, right, {}}}}};
   all.others = {{right, black, right}};
@@ -53,8 +53,8 @@ TEST(CheckExpected, IsReadAsItWasWritten) {
   ASSERT_EQ(all.steps.size(), 2u);
   EXPECT_NEAR(all.steps[0][0].windows[0].at(0, 0), 0, 1e-4); // 16 bits
   EXPECT_GT(all.steps[1][0].windows[0].at(0, 0), 0);
-  EXPECT_THAT(all.samplers[1],
-              ElementsAre(std::pair("uShadowMap", diagnosis::Sampled{true, 512, 256})));
+  EXPECT_THAT(all.samplers[1], ElementsAre(std::pair(
+                                   "uShadowMap", diagnosis::Sampled{true, 512, 256, true, false})));
   ASSERT_EQ(all.faults.size(), 1u);
   EXPECT_EQ(all.faults[0].hint, "A hint");
   EXPECT_EQ(all.faults[0].experiment, "A test");

@@ -88,6 +88,17 @@ TEST_F(Places, AMessageNamesTheTodoInWhoseLinesItIs) {
   EXPECT_EQ(at("glClear(GL_COLOR_BUFFER_BIT) forgotten"), "");
 }
 
+TEST_F(Places, AMessageAboutWhatWasHandedOutNamesNoTodo) {
+  const std::string below = "\n\nvoid given() {\n  glDraw();\n}\n";
+  write("stub", "n.cpp", "// TODO(m.1): do it\nvoid mine() {\n}" + below);
+  write("now", "n.cpp", "// TODO(m.1): do it\nvoid mine() {\n  glDraw();\n  more();\n}" + below);
+  const auto at = [&](const std::string& message) {
+    return todoAt(message, {"m.1", "m.2"}, folder_.path() / "stub", now());
+  };
+  EXPECT_EQ(at("glDraw: GL_INVALID_VALUE (n.cpp:4)"), "m.1");
+  EXPECT_EQ(at("glDraw: GL_INVALID_VALUE (n.cpp:8)"), "");
+}
+
 TEST(CheckPlaces, ALineIsFoundAfterOneThatStandsOnce) {
   EXPECT_EQ(lineNow("a\n}\nb\n}\nX\n", "a\n}\nb\n}\nnew\n", 5), 5) << "lines that stand twice";
   EXPECT_EQ(lineNow("a\nX\n", "more\na\n\nnew\n", 2), 4);

@@ -81,11 +81,13 @@ TEST(CheckState, SamplersAreListedWithWhatTheyRead) {
   trace.samples[0].image.format = 0x8058; // GL_RGBA8
   trace.samples[0].image.width = 7;
   trace.samples[0].image.height = 5;
-  EXPECT_THAT(diagnosis::sampledTextures(trace),
-              ElementsAre(std::pair(name, diagnosis::Sampled{false, 7, 5})));
+  trace.samples[0].sampler = 3;
+  trace.samples[0].incomplete = 1;
+  diagnosis::Sampled wanted{false, 7, 5, true, false};
+  EXPECT_THAT(diagnosis::sampledTextures(trace), ElementsAre(std::pair(name, wanted)));
   trace.samples[0].image.format = 0x81A6; // GL_DEPTH_COMPONENT24
-  EXPECT_THAT(diagnosis::sampledTextures(trace),
-              ElementsAre(std::pair(name, diagnosis::Sampled{true, 7, 5})));
+  wanted.isDepth = true;
+  EXPECT_THAT(diagnosis::sampledTextures(trace), ElementsAre(std::pair(name, wanted)));
   trace.samples[0].image.name = 0;
   EXPECT_THAT(diagnosis::sampledTextures(trace), IsEmpty());
 }
