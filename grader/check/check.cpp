@@ -131,13 +131,19 @@ private:
     if (checked_.happened.ok() && windowsPass(expected_, shown_, step_)) drawScenes(program, true);
   }
 
-  /// Those after the public one, of TODOs that were begun.
+  /// What somebody has done elsewhere than where it belongs, or left out, shows in its scene.
+  bool isBeforeLast(const std::string& todo) const {
+    const auto at = std::ranges::find(expected_.todos, todo) - expected_.todos.begin();
+    return std::size_t(at) < step_;
+  }
+
+  /// Those after the public one, of TODOs that were begun, or come before one that was.
   void drawScenes(const fs::path& program, bool another) {
     std::vector<std::size_t> scenes;
     for (std::size_t i = 1; i < expected_.scenes.size(); ++i)
       if (const std::string& todo = expected_.scenes[i].todo;
           expected_.scenes[i].another == another &&
-          (todo.empty() || begun_.count(todo) || possible_.count(todo)))
+          (todo.empty() || begun_.count(todo) || possible_.count(todo) || isBeforeLast(todo)))
         scenes.push_back(i);
     std::vector<grading::Happened> happened(scenes.size());
     grading::inParallel(scenes.size(), grading::workers(), [&](std::size_t k) {

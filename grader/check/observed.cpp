@@ -62,7 +62,7 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
                      "unit that it is set to. Was its unit made active (glActiveTexture) before "
                      "yours was bound?",
                      sampler)});
-    else if (!sameSize(found->second, wanted)) {
+    else if (found->second.width > 0 && !sameSize(found->second, wanted)) {
       const auto [width, height] = std::pair(found->second.width, found->second.height);
       const bool isStorage = !drawsInto(trace, wanted);
       faults.push_back(

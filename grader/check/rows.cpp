@@ -105,11 +105,13 @@ public:
   }
 
   /// The first picture that step k changes and that isn't right: the first of all that it changes,
-  /// or one that none of the later ones up to `should` changes again.
+  /// or one of a scene that was handed out that none of the later ones up to `should` changes
+  /// again.
   std::optional<std::size_t> firstUnlike(std::size_t k, std::size_t should) const {
     const std::optional<std::size_t> first = firstChanged(k);
     for (std::size_t c = first.value_or(cells_.size()); c < cells_.size(); ++c) {
-      if (c != *first && (!cells_[c].slot || !isLastToChange(c, k, should))) continue;
+      const bool isOther = !cells_[c].slot || expected_.scenes[cells_[c].scene].another;
+      if (c != *first && (isOther || !isLastToChange(c, k, should))) continue;
       if (!isRight(c, k, should)) return c;
     }
     return std::nullopt;

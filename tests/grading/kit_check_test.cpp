@@ -295,7 +295,12 @@ TEST_F(Check, WhatAnotherPartBindsIsNotMissedHere) {
   Submission light = Submission::firstSteps(4);
   light.replace("mirror.hpp", "scene.light.in(mirroredView)", "scene.light.in(view)");
   json all = json::parse(kept);
-  for (json& step : all.at("samplers")) step["uOfAnotherPart"] = "color";
+  for (json& step : all.at("samplers"))
+    step["uOfAnotherPart"] = {{"isDepth", false},
+                              {"width", 64},
+                              {"height", 64},
+                              {"byObject", false},
+                              {"isComplete", true}};
   std::ofstream(file) << all;
   EXPECT_EQ(checked(light.path()).at("cause"), "The light is not brought into the mirrored view");
   all.at("samplers").at(0) = json::object();
