@@ -33,7 +33,7 @@ TEST(Bloom, ALevelThatIsTooBrightIsNamedWithItsFactor) {
       "    glBindTexture(GL_TEXTURE_2D, bloom.levels[i - 1].color);\n    drawScreen(bloom);\n"
       "    if (i == 3) {\n      glEnable(GL_BLEND);\n      glBlendFunc(GL_ONE, GL_ONE);\n"
       "      drawScreen(bloom);\n      glDisable(GL_BLEND);\n    }\n")));
-  EXPECT_EQ(graded.earned("bloom.bright"), 25);
+  EXPECT_EQ(graded.earned("bloom.bright"), 18);
   EXPECT_THAT(graded.message("bloom.levels"),
               HasSubstr("bloom level 3: 2.0x too bright everywhere; earlier levels match"));
   // Later levels are right for what they were given: one of three to five levels is lost.
@@ -50,12 +50,12 @@ TEST(Bloom, EightBitsMakeTheSceneTheFirstWrongPass) {
   EXPECT_THAT(graded.message("bloom.bright"), HasSubstr("the first wrong pass is the scene"));
   EXPECT_EQ(graded.earned("bloom.picture"), 0);
   // The levels' and the sum's, judged with the reference's bright pass.
-  EXPECT_EQ(graded.score(), 35);
+  EXPECT_EQ(graded.score(), 42);
 }
 
 TEST(Bloom, BlendingOffKeepsTheWayDown) {
   const Graded graded = gradeMistake("bloom_blending_off");
-  EXPECT_EQ(graded.earned("bloom.bright"), 25);
+  EXPECT_EQ(graded.earned("bloom.bright"), 18);
   EXPECT_EQ(graded.earned("bloom.levels"), 20);
   EXPECT_LT(graded.earned("bloom.sum"), 6);
   EXPECT_LT(graded.earned("bloom.picture"), 10);

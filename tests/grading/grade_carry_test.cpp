@@ -147,7 +147,7 @@ TEST(CarriedForward, AWrongSceneOfTheSameFormatLeavesTheBrightPassItsPoints) {
   const Graded graded =
       gradePart("bloom", changed("object.frag", " + uGlow, 1);", " + 0.3 * uGlow, 1);"));
   EXPECT_LT(graded.earned("bloom.scene"), 2);
-  EXPECT_EQ(graded.earned("bloom.bright"), 25);
+  EXPECT_EQ(graded.earned("bloom.bright"), 18);
   EXPECT_EQ(graded.earned("bloom.levels"), 20);
   EXPECT_EQ(graded.earned("bloom.sum"), 15);
   EXPECT_THAT(carried(graded, "bloom.bright"), ElementsAre("scene"));

@@ -161,7 +161,7 @@ TEST_P(OneEffect, IsBitIdenticalToThePartAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Together, OneEffect,
                          testing::Values(std::pair("mirror", 7), std::pair("shadow", 6),
-                                         std::pair("bloom", 6)),
+                                         std::pair("bloom", 7)),
                          [](const auto& info) { return std::string(info.param.first); });
 
 constexpr double kStep = 1.0 / 255 + 1e-6;
