@@ -215,7 +215,9 @@ private:
     if (first && !expected_.scenes[first->scene].another) {
       suspect.todo = likeliest(first->scene);
       // One picture of one colour looks like the next.
-      if (!suspect.todo.empty() && checked_.titles.empty() && isOneColour(*first))
+      const Image* wrong = pictureOf(*shown_[first->scene], *first);
+      if (!suspect.todo.empty() && checked_.titles.empty() && wrong &&
+          diagnosis::isOneColour(*wrong))
         checked_.cause = say("a picture of one colour has many causes, and this is one of them: {}",
                              checked_.cause);
       // Of a TODO's own scene it isn't known what all mistakes of other TODOs show.
@@ -302,18 +304,6 @@ private:
                                vertices_[i], scene.mostVertices);
         }
     }
-  }
-
-  /// `first.scene` is one of `Expected::scenes`.
-  bool isOneColour(const diagnosis::FirstWrong& first) const {
-    const Image* image = pictureOf(*shown_[first.scene], first);
-    if (!image || image->pixelCount() == 0) return false;
-    const auto corner = image->pixel(0, 0);
-    for (int y = 0; y < image->height(); ++y)
-      for (int x = 0; x < image->width(); ++x)
-        for (int c = 0; c < image->channels(); ++c)
-          if (std::abs(image->at(x, y, c) - corner[std::size_t(c)]) > 1.0f / 255) return false;
-    return true;
   }
 
   static const Image* pictureOf(const SceneViews& views, const diagnosis::FirstWrong& first) {
