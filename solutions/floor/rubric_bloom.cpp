@@ -138,13 +138,15 @@ LightComparison brightPass(const View& view) {
                       gainOf(view));
 }
 
-/// Does a step of the pass read what another pass drew, and does it draw all of its target?
+/// Does a step of the pass read what another pass drew?
 bool readsFrom(const View& view, const trace::PassRecord& pass, std::uint32_t writer) {
   for (const trace::StepRecord& step : view.trace.stepsOf(pass))
     for (const trace::SampleRecord& sample : view.trace.samplesOf(step))
       if (sample.writer == writer) return true;
   return false;
 }
+
+/// Does the viewport of one of its steps cover the level?
 bool coversItsTarget(const View& view, const trace::PassRecord& pass, const Level& level) {
   return std::ranges::any_of(view.trace.stepsOf(pass), [&](const trace::StepRecord& step) {
     const auto& [x, y, width, height] = step.viewport;
