@@ -18,6 +18,8 @@
 #include "print_once.hpp"
 #include "reload.hpp"
 #include "words/words.hpp"
+
+#include <gg/call_place.hpp>
 #include <gg/debug.hpp>
 
 #include <fmt/ranges.h>
@@ -41,6 +43,7 @@ struct Target {
   bool colorCleared = false, depthCleared = false;
   std::set<std::array<GLint, 4>> viewports;
   glm::ivec2 size{0}; // pixels; 0: unknown
+  std::string viewportPlace;
 };
 
 // What is known of a program since it drew first.
@@ -64,6 +67,7 @@ struct Watch {
   TextureTargets textures;
   std::map<GLuint, std::string> storedAt;      // a 2D texture, where it got its storage last
   std::map<GLuint, std::string> boundAt;       // a framebuffer, last
+  std::string viewportPlace;                   // of glViewport, or of what should come before it
   std::map<std::string, std::string> calledAt; // a function, last
   std::map<GLuint, DrawingProgram> programs;
   std::set<GLuint> setSinceUse;             // programs: uniforms since glUseProgram or a draw
@@ -201,7 +205,10 @@ void sayIfNeverInUse(GLuint program) {
   if (found != watch.neverInUse.end() && !watch.programs.contains(program)) find(found->second);
 }
 
-void onDraw() {
+// A quad has no more; the smallest mesh has many more.
+constexpr GLsizei kMostOfAScreen = 6;
+
+void onDraw(GLsizei vertices) {
   const GLuint framebuffer = boundForDrawing();
   Target& target = watch.targets[framebuffer];
   ++target.draws;
@@ -217,6 +224,7 @@ void onDraw() {
   std::array<GLint, 4> viewport{};
   glad_glGetIntegerv(GL_VIEWPORT, viewport.data());
   target.viewports.insert(viewport);
+  target.viewportPlace = watch.viewportPlace;
 
   if (glad_glIsEnabled(GL_DEPTH_TEST) == GL_TRUE && hasDepth()) {
     const GLint comparison = ask(GL_DEPTH_FUNC);
@@ -225,7 +233,7 @@ void onDraw() {
                "there hides what is drawn. glClear(GL_DEPTH_BUFFER_BIT)",
                nameOf(framebuffer)) +
            lastPlace());
-    if (!target.colorCleared && framebuffer == 0)
+    if (!target.colorCleared && framebuffer == 0 && vertices > kMostOfAScreen)
       find(say("the colours of the window are not cleared before objects are drawn: the frame "
                "before shows through. glClear(GL_COLOR_BUFFER_BIT)") +
            lastPlace());
@@ -276,11 +284,25 @@ bool draws(std::string_view function) {
 }
 
 // Before a call: what it will draw is judged by the state that it finds.
-void before(const char* name, GLADapiproc function, int, ...) {
+void before(const char* name, GLADapiproc function, int count, ...) {
   if (function == nullptr)
     tell(say("{} is not in this machine's OpenGL, and calling it ends the program", name) +
          lastPlace());
-  if (draws(name)) onDraw();
+  if (!draws(name)) return;
+  const std::string_view draw = name;
+  GLsizei vertices = kMostOfAScreen + 1; // or more
+  va_list arguments;
+  va_start(arguments, count);
+  if (draw == "glDrawArrays") {
+    va_arg(arguments, GLenum);
+    va_arg(arguments, GLint);
+    vertices = va_arg(arguments, GLsizei);
+  } else if (draw == "glDrawElements") {
+    va_arg(arguments, GLenum);
+    vertices = va_arg(arguments, GLsizei);
+  }
+  va_end(arguments);
+  onDraw(vertices);
 }
 
 void after(void*, const char* name, GLADapiproc, int count, ...) {
@@ -308,6 +330,7 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
   } else if (function == "glBindFramebuffer") {
     va_arg(arguments, GLenum);
     watch.boundAt[va_arg(arguments, GLuint)] = lastPlace();
+    watch.viewportPlace = lastPlace(); // where it is missing, unless it comes after this
   } else if (function.starts_with("glUniform") && function != "glUniformBlockBinding") {
     onUniform(GLuint(ask(GL_CURRENT_PROGRAM)), va_arg(arguments, GLint));
   } else if (function.starts_with("glProgramUniform")) {
@@ -321,6 +344,8 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
     forget(program);
   } else if (function == "glLinkProgram") {
     forget(va_arg(arguments, GLuint));
+  } else if (function == "glViewport") {
+    watch.viewportPlace = lastPlace();
   } else if (function == "glCullFace" || function == "glColorMask") {
     watch.calledAt[name] = lastPlace();
   }
@@ -329,6 +354,7 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
   if (!hasDebugSink() && function != "glGetError")
     if (const GLenum error = glad_glGetError(); error != GL_NO_ERROR)
       find(say("{} in {}", errorName(error), name) + lastPlace());
+  lastCallPlace.isNow = false;
 }
 
 bool isOneColor(const Image& picture) {
@@ -344,10 +370,11 @@ void checkViewports(const glm::ivec2& window) {
     if (target.viewports.size() != 1 || size.x == 0) continue; // several: it's meant so
     const std::array<GLint, 4>& viewport = *target.viewports.begin();
     if (viewport == std::array<GLint, 4>{0, 0, size.x, size.y}) continue;
-    find(
-        say("the viewport is {} x {} pixels, but {} is {} x {}. Call glViewport after binding what "
-            "is drawn into",
-            viewport[2], viewport[3], nameOf(framebuffer), size.x, size.y));
+    find(say("the viewport is {} x {} pixels, but {} is {} x {}. {}", viewport[2], viewport[3],
+             nameOf(framebuffer), size.x, size.y,
+             words("Is glViewport called after binding what is drawn into, and with its size? Or "
+                   "has that a wrong size?")) +
+         target.viewportPlace);
   }
 }
 
@@ -378,7 +405,7 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
   const GLuint bound = boundForDrawing();
   if (bound != 0)
     find(say("framebuffer object {} is still bound at the end of the frame; the window needs "
-             "glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last{}",
+             "glBindFramebuffer(GL_FRAMEBUFFER, 0); the place of its last binding:{}",
              bound, watch.boundAt[bound]));
   for (const auto& [reader, loop] : watch.loops)
     if (loop.framebuffer != bound) find(loop.text); // else it comes of that

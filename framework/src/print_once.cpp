@@ -1,5 +1,7 @@
 #include "print_once.hpp"
 
+#include "words/words.hpp"
+
 #include <cstdio>
 #include <set>
 #include <string_view>
@@ -25,8 +27,9 @@ void printOnce(const std::string& line) {
 std::string lastPlace() {
   if (lastCallPlace.file == nullptr) return "";
   const std::string_view file = lastCallPlace.file;
-  return " (" + std::string(file.substr(file.find_last_of("/\\") + 1)) + ":" +
-         std::to_string(lastCallPlace.line) + ")";
+  const std::string place = std::string(file.substr(file.find_last_of("/\\") + 1)) + ":" +
+                            std::to_string(lastCallPlace.line);
+  return " (" + (lastCallPlace.isNow ? place : say("after {}", place)) + ")";
 }
 
 } // namespace gg::detail

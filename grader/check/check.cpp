@@ -29,6 +29,9 @@ namespace {
 /// So many mistakes that show the same are named; more are no help.
 constexpr std::size_t kMostCauses = 6;
 
+/// A pass of which less differs may be right in another way, such as with another filter.
+constexpr double kAnotherWay = 0.02;
+
 /// What is said once is enough.
 std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
   std::vector<std::string> lines;
@@ -97,7 +100,7 @@ public:
       drawOthers(program);
       observed_ = observed();
       checked_.drawn = !shown_.empty() && shown_[0].has_value();
-      if (checked_.drawn) judge();
+      if (checked_.drawn) judge(program);
     }
     outcome();
     if (std::string text = wrongEncoding(assignment_, folder_); !text.empty())
@@ -194,7 +197,7 @@ private:
     return rendering;
   }
 
-  void judge() {
+  void judge(const fs::path& program) {
     // Another scene tells something only where those that were handed out are right.
     std::optional<diagnosis::FirstWrong> first;
     for (const bool another : {false, true}) {
@@ -214,27 +217,33 @@ private:
     Suspect suspect;
     if (first && !expected_.scenes[first->scene].another) {
       suspect.todo = likeliest(first->scene);
-      // One picture of one colour looks like the next.
-      const Image* wrong = pictureOf(*shown_[first->scene], *first);
-      if (!suspect.todo.empty() && checked_.titles.empty() && wrong &&
-          diagnosis::isOneColour(*wrong))
-        checked_.cause = say("a picture of one colour has many causes, and this is one of them: {}",
-                             checked_.cause);
       // Of a TODO's own scene it isn't known what all mistakes of other TODOs show.
       for (std::size_t i = 0; i < shown_.size() && suspect.todo.empty(); ++i)
         if (i != first->scene && shown_[i] && !expected_.scenes[i].another &&
             (i == 0 || diagnosis::firstWrong({*shown_[i]}, {expected_.steps[step_][i]})))
           suspect.todo = likeliest(i);
-      suspect.isSure = !suspect.todo.empty() || observed_.isSure;
-      if ((suspect.todo.empty() || observed_.isSure) && begun_.count(observed_.todo))
+      // One picture of one colour looks like the next; and what is observed may explain all.
+      const Image* wrong = pictureOf(*shown_[first->scene], *first);
+      if (!observed_.faults.empty() ||
+          (checked_.titles.empty() && (!wrong || diagnosis::isOneColour(*wrong))))
+        doubtCatalogue();
+      suspect.isSure = !checked_.cause.empty() || observed_.isSure;
+      suspect.isGuess = checked_.cause.empty();
+      if ((checked_.cause.empty() || observed_.isSure) && begun_.count(observed_.todo)) {
         suspect.todo = observed_.todo;
-      suspect.isExplained = !suspect.todo.empty() || !observed_.faults.empty() ||
+        suspect.isGuess = !observed_.isSure;
+      }
+      suspect.isExplained = !checked_.cause.empty() || !observed_.faults.empty() ||
                             !observed_.guess.empty() ||
                             checked_.happened.outcome == results::Outcome::glError;
+      if (!suspect.isExplained && suspect.todo.empty() && isWrongLater(*first)) {
+        suspect.isLater = true;
+        checked_.cause = laterCause(program, *first);
+      }
     } else if (first) {
       suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one alone
       checked_.cause =
-          first->frame > 0
+          isWrongLater(*first)
               ? say("Each first frame is right, and the one after it isn't: is something that a "
                     "frame changes not put back, not cleared, or made only once?")
               : say("It is right in the handed-out scenes, or nearly, and wrong in another one: is "
@@ -242,12 +251,16 @@ private:
                     "something missing or too much that hardly shows in the others?");
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
+    // That scene is there for its TODO, and shows what is before it, too.
+    if (first && expected_.scenes[first->scene].another)
+      for (Row& row : checked_.rows)
+        if (row.state == State::wrong && &row != &checked_.rows.front()) row.state = State::maybe;
     blameStorage();
     // Each effect is right, so all of them may be so in another way: no picture says that they
     // aren't.
     if (isTogether(expected_) && !suspect.isExplained)
       for (Row& row : checked_.rows)
-        if (row.state == State::wrong) {
+        if (row.state == State::wrong || row.state == State::maybe) {
           row.state = State::nearly;
           checked_.cause = say("each effect is right alone; where all are drawn, does one leave a "
                                "state, a texture unit or a framebuffer that the next one doesn't "
@@ -313,13 +326,41 @@ private:
     return pass ? &pass->picture : nullptr;
   }
 
+  /// Is only a window wrong, after a first frame of which all is right?
+  bool isWrongLater(const diagnosis::FirstWrong& first) const {
+    return !first.slot && first.frame > 0 &&
+           diagnosis::alike(&shown_[first.scene]->windows.front(),
+                            &expected_.steps[step_][first.scene].windows.front());
+  }
+
+  /// Why a later frame is wrong: because it is a later one, or at its time.
+  std::string laterCause(const fs::path& program, const diagnosis::FirstWrong& first) {
+    const Scene& scene = expected_.scenes[first.scene];
+    const double time = scene.times[first.frame];
+    const std::vector<Image> alone = rubric::toImages(
+        grading::rawFrames(grading::renderScene(assignment_.id, program, scene.scene, {time},
+                                                {work_ / "shaders"}, sandbox::Isolation::none)
+                               .capture));
+    if (alone.empty()) return {};
+    const Image window = diagnosis::reduced(alone.front(), 3);
+    return diagnosis::alike(&window, &expected_.steps[step_][first.scene].windows[first.frame])
+               ? say("The picture at {} s is right where it is the first one, and wrong after "
+                     "another: something that a frame changes is not put back, not cleared, or "
+                     "made only once.",
+                     time)
+               : say("The picture at {} s is wrong, and the one at {} s right: what changes with "
+                     "time, and is something made only once that does?",
+                     time, scene.times.front());
+  }
+
   bool isWindowRight(std::size_t scene) const {
     return sameWindows(*shown_[scene], expected_.steps[step_][scene]);
   }
 
   /// Names the known mistakes that show the same in one scene, in `cause` and `hint`: ones made
   /// just now, else ones in the finished program (whose window may be like an unfinished one's
-  /// that is right). Returns the TODO of the first; empty: none is known.
+  /// that is right); in `resemblance_`, what is only like one. Returns the TODO of the first;
+  /// empty: none is known.
   std::string likeliest(std::size_t scene) {
     std::vector<const Fault*> faults = showingTheSame(scene, step_);
     if (faults.empty() && step_ < expected_.todos.size() && !isWindowRight(scene))
@@ -328,8 +369,11 @@ private:
     if (faults.size() == 1) {
       checked_.cause = words(faults[0]->title);
       checked_.hint = words(faults[0]->hint);
+      if (!showsTheSame(viewsOf(expected_, numberOf(*faults[0]), scene), *shown_[scene]))
+        doubtCatalogue();
     } else {
-      checked_.cause = say("one of {} mistakes that look alike so far", faults.size());
+      checked_.cause =
+          say("it may be one of these {} mistakes, which look alike so far", faults.size());
       for (const Fault* fault : faults) {
         checked_.titles.emplace_back(words(fault->title));
         checked_.hint += fmt::format("{}- {}\n  {}", checked_.hint.empty() ? "" : "\n",
@@ -341,11 +385,39 @@ private:
     return faults[0]->todo;
   }
 
+  /// Makes a guess of what the catalogue told.
+  void doubtCatalogue() {
+    if (checked_.cause.empty()) return;
+    resemblance_ =
+        checked_.titles.empty()
+            ? say("It looks like this mistake, but may be another one: {}. If it is this: {}",
+                  checked_.cause, checked_.hint)
+            : fmt::format("{}\n{}", checked_.cause, checked_.hint);
+    checked_.cause.clear();
+    checked_.hint.clear();
+    checked_.titles.clear();
+  }
+
+  std::size_t numberOf(const Fault& fault) const {
+    return std::size_t(&fault - expected_.faults.data());
+  }
+
+  /// Is the first wrong picture of the program one that this mistake leaves right?
+  bool isWrongBefore(const Fault& fault, std::size_t scene) const {
+    const SceneViews& should = expected_.steps[step_][scene];
+    const auto first = diagnosis::firstWrong({*shown_[scene]}, {should});
+    if (!first || !first->slot || first->missing) return false;
+    const SceneViews theirs = viewsOf(expected_, numberOf(fault), scene);
+    const diagnosis::PassView* pass = theirs.find(*first->slot);
+    return pass && first->share > kAnotherWay &&
+           diagnosis::alike(&pass->picture, &should.find(*first->slot)->picture);
+  }
+
   /// Is the program wrong in all scenes in which this mistake is seen, and this mistake seen in the
   /// first of those in which the program is wrong? Two may look alike where nothing is drawn any
   /// more.
   bool isWrongWhere(const Fault& fault) const {
-    const auto number = std::size_t(&fault - expected_.faults.data());
+    const std::size_t number = numberOf(fault);
     bool isFirst = true;
     for (const std::size_t scene : fault.scenes) {
       if (!shown_[scene]) continue;
@@ -395,7 +467,8 @@ private:
     for (const std::size_t i : alike) {
       // An unfinished program is no mistake, unless somebody has done that step already.
       if (i >= faults.size() && step != step_) return {};
-      if (i < faults.size() && begun_.count(faults[i]->todo) && isWrongWhere(*faults[i]))
+      if (i < faults.size() && begun_.count(faults[i]->todo) && isWrongWhere(*faults[i]) &&
+          !isWrongBefore(*faults[i], scene))
         same.push_back(faults[i]);
     }
     // What showed after an earlier step was looked at then.
@@ -431,6 +504,7 @@ private:
     wrong.scene = first.scene;
     wrong.another = expected_.scenes[first.scene].another;
     wrong.share = first.share;
+    wrong.isMissing = first.missing;
     const Image* ours = pictureOf(*shown_[first.scene], first);
     const Image* expected = pictureOf(expected_.steps[step_][first.scene], first);
     if (ours) wrong.ours = *ours;
@@ -455,10 +529,10 @@ private:
     if (const auto observed = diagnosis::outcomeDiagnosis(result, facts_)) {
       checked_.cause = observed->text;
       checked_.hint.clear();
-      // A program that ended itself has said why.
+      // A program that ended itself has said why, in its last words.
       if (result.outcome == results::Outcome::crash && !checked_.messages.empty() &&
           !checked_.happened.signalled)
-        checked_.cause = say("The program ended itself, and said: {}", checked_.messages.front());
+        checked_.cause = say("The program ended itself, and said: {}", lastWords());
       for (const std::string& beside : observed->beside) checked_.hint += beside + '\n';
       return;
     }
@@ -470,11 +544,14 @@ private:
     std::vector<std::string> found = observed_.faults;
     if (!checked_.cause.empty()) {
       found.push_back(checked_.cause);
-      if (!checked_.hint.empty()) found.push_back(checked_.hint);
+      if (!checked_.hint.empty())
+        found.push_back(checked_.titles.empty() ? say("If it is this: {}", checked_.hint)
+                                                : checked_.hint);
     }
     // Beside a puzzle it stays among the messages, told at once.
     if (!checked_.isPuzzle) found.insert(found.end(), said.begin(), said.end());
     if (!change_.empty()) found.push_back(change_);
+    if (!resemblance_.empty() && checked_.cause.empty()) found.push_back(resemblance_);
     if (found.empty()) return;
     checked_.cause = capitalized(found.front());
     checked_.hint.clear();
@@ -485,6 +562,15 @@ private:
         return message == text || message == doctorsPrefix() + text;
       });
     });
+  }
+
+  /// Of the program's messages the last that is its own, not the driver's or OpenGL's.
+  std::string lastWords() const {
+    const std::string own = assignment_.id + ": ";
+    const auto last =
+        std::ranges::find_if(checked_.messages.rbegin(), checked_.messages.rend(),
+                             [&](const std::string& message) { return message.starts_with(own); });
+    return last == checked_.messages.rend() ? checked_.messages.front() : *last;
   }
 
   /// The windows of the scene that is spoken of: of the first wrong picture; if all is right, of
@@ -515,8 +601,9 @@ private:
   diagnosis::Facts facts_;
   std::vector<channel::CapturedMessage> glMessages_; // of the public scene
   Observed observed_;                                // likewise
-  std::string endedAt_; // the TODO in whose scene, not the public one, the program ended early
-  std::string change_;  // what turns the right picture into the wrong one
+  std::string endedAt_;     // the TODO in whose scene, not the public one, the program ended early
+  std::string change_;      // what turns the right picture into the wrong one
+  std::string resemblance_; // to a known mistake
   Shown shown_;
   std::vector<Image> windows_;          // by scene; empty: none came
   std::vector<std::uint64_t> vertices_; // of the first frame, by scene

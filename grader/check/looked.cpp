@@ -35,7 +35,7 @@ bool isSeen(const Checked& checked, const Row& row) {
 
 const Row* rowToLookAt(const Checked& checked) {
   if (!checked.drawn) return nullptr;
-  for (const State state : {State::wrong, State::nearly, State::differs})
+  for (const State state : {State::wrong, State::maybe, State::nearly, State::differs})
     for (const Row& row : checked.rows)
       if (row.state == state) return &row;
   const auto next =
@@ -44,7 +44,9 @@ const Row* rowToLookAt(const Checked& checked) {
 }
 
 bool hasWrong(const Checked& checked) {
-  return std::ranges::find(checked.rows, State::wrong, &Row::state) != checked.rows.end();
+  return std::ranges::any_of(checked.rows, [](const Row& row) {
+    return row.state == State::wrong || row.state == State::maybe;
+  });
 }
 
 std::string unknownCause(const Checked& checked) {
@@ -69,6 +71,8 @@ std::string nameOf(State state) {
     return say("nearly");
   case State::differs:
     return say("differs");
+  case State::maybe:
+    return say("maybe wrong");
   case State::notBegun:
     break;
   }
@@ -86,22 +90,23 @@ std::string headline(const Checked& checked) {
 
 std::string noteOf(const Checked& checked, const Row& row) {
   if (row.state == State::done && !isSeen(checked, row))
-    return say("as far as this scene shows: nothing of it can be seen yet");
+    return say("as far as can be told: no picture shows it by itself");
   std::string notes;
   const auto add = [&](const std::string& note) {
     notes = notes.empty() ? note : say("{}; {}", notes, note);
   };
   if (row.state == State::nearly)
-    add(say("a little differs that no known mistake explains: a detail, or another right way"));
+    add(say("the windows are nearly as they should be, and no known mistake explains the rest: a "
+            "detail, or another right way"));
   if (row.state == State::differs)
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));
+  if (row.state == State::maybe)
+    add(say("it draws what is wrong, which may come of a step before it, too"));
   if (row.state == State::wrong || row.state == State::differs) {
     const std::string unseen = checked.cause.empty() ? unseenBefore(checked, row) : std::string();
     if (!unseen.empty())
       add(say("it may lie in {}, too, of which nothing could be seen before", unseen));
-    else if (checked.firstWrong && checked.firstWrong->another && &row != &checked.rows.front())
-      add(say("it may lie in a step before it, too"));
     else if (!checked.firstWrong && !checked.happened.ok())
       add(say("the program ends in another scene; it may lie in another step, too"));
   }
@@ -117,9 +122,7 @@ std::string purposeOf(const Looked& looked, const Row& row) {
     if (item.step == row.todo && item.kind == results::ItemKind::gain)
       titles += (titles.empty() ? "" : "; ") + std::string(words(item.title));
   if (titles.empty()) return std::string(words(todoOf(*looked.part, row.todo).title));
-  return isSeen(looked.checked, row)
-             ? titles
-             : say("nothing of it shows yet; whether it is right shows later: {}", titles);
+  return isSeen(looked.checked, row) ? titles : say("{} (no picture shows it by itself)", titles);
 }
 
 std::string sceneOf(const Looked& looked, std::size_t scene) {
@@ -138,8 +141,10 @@ std::string pictureHeading(const Checked& checked) {
 
 std::string pictureOf(const Looked& looked) {
   const Wrong& wrong = *looked.checked.firstWrong;
-  const std::string place = say("{}: {} of it differs from what should be there now", wrong.name,
-                                report::percent(wrong.share));
+  const std::string place = wrong.isMissing
+                                ? say("{}: the program draws no such picture", wrong.name)
+                                : say("{}: {} of it differs from what should be there now",
+                                      wrong.name, report::percent(wrong.share));
   const std::string scene = sceneOf(looked, wrong.scene);
   return scene.empty() ? place : say("{} ({})", place, scene);
 }

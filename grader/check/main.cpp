@@ -352,8 +352,7 @@ int run(int argc, char** argv) {
                    "tells a hint"));
   app.add_flag(
       "--hint", options.hint,
-      say("Tell more of what is wrong: first the likely cause, asked once more its reason and its "
-          "remedy"));
+      say("Tell more of what is wrong: first the likely cause; asked once more, what to look at"));
   CLI::Option* open = app.add_flag(
       "--open", options.open,
       say("Open the editor ($VISUAL, else $EDITOR) at the next TODO; with --watch whenever another "

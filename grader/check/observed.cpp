@@ -38,6 +38,17 @@ struct SamplerFault {
   std::string sampler, text;
   bool isStorage = false; ///< no texture of the right size is there that could be read
 };
+
+/// The step since which a sampler should read what it should read after `step` TODOs.
+std::size_t since(const Expected& expected, std::size_t step, const std::string& sampler) {
+  const diagnosis::Sampled& wanted = expected.samplers[step].at(sampler);
+  while (step > 1) {
+    const auto before = expected.samplers[step - 1].find(sampler);
+    if (before == expected.samplers[step - 1].end() || before->second != wanted) break;
+    --step;
+  }
+  return step;
+}
 std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t step,
                                         const trace::Trace& trace) {
   std::vector<SamplerFault> faults;
@@ -83,6 +94,10 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
   }
   return faults;
 }
+
+constexpr std::string_view kViewport =
+    "Is glViewport called after binding what is drawn into, and with its size? Or has that a wrong "
+    "size?";
 
 constexpr std::string_view kPlaced[] = {
     "is incomplete: its filter wants mipmaps, and it has none. Set GL_TEXTURE_MIN_FILTER to "
@@ -151,13 +166,23 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
       frustum.empty() ? firstTodo(errors, todos, expected, folder) : expected.frustum.todo;
   observed.isSure = !observed.todo.empty();
   // Some of what the doctor says has the place where it is to be mended, not where it shows.
+  const auto has = [](const std::string& fault, std::string_view what) {
+    return fault.find(gg::words(what)) != fault.npos;
+  };
+  // Where something is sampled, its size was looked at.
+  const bool knowsSizes = !expected.samplers[step].empty();
   for (const std::string& fault : observed.faults)
-    if (observed.todo.empty() && std::ranges::any_of(kPlaced, [&](std::string_view what) {
-          return fault.find(gg::words(what)) != fault.npos;
-        })) {
+    if (observed.todo.empty() &&
+        (std::ranges::any_of(kPlaced, [&](std::string_view what) { return has(fault, what); }) ||
+         (knowsSizes && has(fault, kViewport)))) {
       observed.todo = firstTodo({fault}, todos, expected, folder);
       observed.isSure = !observed.todo.empty();
     }
+  std::size_t first = expected.todos.size() + 1;
+  for (const SamplerFault& fault : samplers)
+    if (!fault.isStorage) first = std::min(first, since(expected, step, fault.sampler));
+  if (observed.todo.empty() && first <= expected.todos.size())
+    observed.todo = expected.todos[first - 1];
   if (observed.todo.empty()) observed.todo = firstTodo(observed.faults, todos, expected, folder);
   return observed;
 }

@@ -18,7 +18,8 @@ using report::sanitizeLine;
 
 namespace {
 
-const char* const kClasses[] = {"plain", "full", "none", "unjudged", "unjudged", "unjudged"};
+const char* const kClasses[] = {"plain",    "full",     "none", "unjudged",
+                                "unjudged", "unjudged", "none"};
 
 /// Of a fault's name in the page, by which its script knows it again.
 constexpr std::size_t kLongestIdentity = 4000;

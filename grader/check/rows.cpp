@@ -15,7 +15,8 @@ namespace {
 constexpr double kNearly = 0.02;
 
 /// Of what is wrong in a picture, what a step must have changed for it to be blamed although
-/// another one's first picture is wrong, later in the frame.
+/// another one's first picture is wrong, later in the frame; and of what the likeliest step has
+/// changed of it, what another one must have to be as likely.
 constexpr double kOwn = 0.5;
 
 /// One picture of all those that a program is compared by. Passes come before windows, as in a
@@ -149,10 +150,25 @@ public:
     return any > 0 ? both / any : 0;
   }
 
+  /// Is this a picture of a scene that was not handed out, which is there for one step?
+  bool isAnother(std::size_t cell) const { return expected_.scenes[cells_[cell].scene].another; }
+
   /// Is there such a picture, or one that may be meant for it?
   bool isDrawn(std::size_t cell) const {
     const std::size_t scene = cells_[cell].scene;
     return ofProgram(cells_[cell]) || !ownPasses(expected_, *shown_[scene], scene).empty();
+  }
+
+  /// Those of the first `should` steps that have changed as much of what is wrong in a picture as
+  /// one of them, or nearly.
+  std::vector<std::size_t> asLikely(std::size_t cell, std::size_t one, std::size_t should) const {
+    std::vector<std::size_t> found;
+    const double least = kOwn * overlap(cell, one, should);
+    for (std::size_t k = 1; k <= should; ++k)
+      if (k != one && ofStep(k, cells_[cell]) && isChanged(cell, k) &&
+          overlap(cell, k, should) >= least)
+        found.push_back(k);
+    return found;
   }
 
   /// The first picture that isn't as after step `should`.
@@ -286,6 +302,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
   // it is the one that changes what is wrong in that, or the last one.
   const std::optional<std::size_t> wrong = judging.firstWrong(should);
   const bool isNamed = culprit && culprit->todo == suspect.todo;
+  const bool isKnown = isNamed && !suspect.isGuess;
   if (windows.empty() && gap > should && !isNamed && (!culprit || (wrong && *wrong < earliest))) {
     most = culprit ? kOwn : -1;
     for (std::size_t k = 1; k < judging.steps(); ++k) {
@@ -307,6 +324,19 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     // What comes before it and isn't seen is not what is wrong.
     for (Row& row : all)
       if (&row < culprit && row.state == State::waits) row.state = State::done;
+    // Pictures alone don't tell which of several it is, unless the others were looked at before.
+    const auto at = std::size_t(culprit - all.data()) + 1;
+    const bool isLast = at == should && should + 1 < judging.steps();
+    if (culprit->state == State::wrong && wrong && !judging.isAnother(*wrong) && windows.empty() &&
+        (!isLast || suspect.isLater) && !isKnown) {
+      for (const std::size_t k : judging.asLikely(*wrong, at, should))
+        if (begun.count(all[k - 1].todo)) all[k - 1].state = State::maybe;
+      for (Row& row : all)
+        if (&row != culprit && row.state != State::notBegun &&
+            (row.todo == suspect.todo || suspect.isLater))
+          row.state = State::maybe;
+      culprit->state = State::maybe; // or what it stands on
+    }
   }
   return all;
 }

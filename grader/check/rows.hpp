@@ -13,13 +13,15 @@ namespace ggrade::check {
 
 enum class State {
   notBegun,
-  done,   ///< as far as the scenes that were drawn can show it
-  wrong,  ///< the first one that isn't right
-  waits,  ///< for one before it; may be right or wrong
-  nearly, ///< a little of a window differs and nothing known explains it: a detail that isn't
-          ///< right, or another right way
-  differs ///< a pass differs, nothing known explains it, and all windows are as they should be:
-          ///< wrong in a way that only later steps show, or another right way
+  done,    ///< as far as the scenes that were drawn can show it
+  wrong,   ///< the first one that isn't right
+  waits,   ///< for one before it; may be right or wrong
+  nearly,  ///< a little of a window differs and nothing known explains it: a detail that isn't
+           ///< right, or another right way
+  differs, ///< a pass differs, nothing known explains it, and all windows are as they should be:
+           ///< wrong in a way that only later steps show, or another right way
+  maybe    ///< it draws what is wrong, but nothing tells whether it is wrong, or another one that
+           ///< does, or what it stands on
 };
 
 /// One TODO.
@@ -39,7 +41,10 @@ using Shown = std::vector<std::optional<diagnosis::SceneViews>>;
 struct Suspect {
   std::string todo;         ///< empty: nothing is known
   bool isExplained = false; ///< is it known what is wrong? Then little is wrong, too
+  bool isGuess = false;     ///< others may be wrong instead, by what pictures tell
   bool isSure = false;      ///< also where a step before it was left out
+  bool isLater =
+      false; ///< first frames are right, so pictures don't tell whose fault later ones are
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,

@@ -58,7 +58,7 @@ std::string causeOf(const Looked& looked, const std::string& ask) {
   if (looked.level >= Level::why) out += hint;
   if (looked.canAsk)
     out += (looked.level == Level::where ? say("For a hint: {}", ask)
-                                         : say("For one more hint: {}", ask)) +
+                                         : say("For one more hint, again: {}", ask)) +
            '\n';
   else if (looked.level == last)
     out += say("That was the last hint.") + '\n';
@@ -71,22 +71,23 @@ std::string purposeOfLast(const Looked& looked) {
   if (next && next->state != State::waits && next->state != State::notBegun) return {};
   const auto& rows = looked.checked.rows;
   const auto last = std::ranges::find(rows.rbegin(), rows.rend(), State::done, &Row::state);
-  return last == rows.rend() ? std::string()
-                             : say("{} is done: {}", last->todo, purposeOf(looked, *last)) + '\n';
+  return last == rows.rend()
+             ? std::string()
+             : say("{} is done. What it is for: {}", last->todo, purposeOf(looked, *last)) + '\n';
 }
 
 } // namespace
 
 std::string table(const std::vector<Looked>& all, bool colour, const std::string& ask) {
-  static const char* const kColours[] = {"2", "32", "31;1", "33", "33", "33"};
+  static const char* const kColours[] = {"2", "32", "31;1", "33", "33", "33", "31"};
   std::string out;
   for (const Looked& looked : all) {
     const Checked& checked = looked.checked;
     out += fmt::format("{}: {}{} ({:.1f} s)\n", looked.part->id,
                        checked.drawn ? bar(checked) + ' ' : "", headline(checked), checked.seconds);
     std::size_t wide = 0;
-    for (const State state :
-         {State::notBegun, State::done, State::wrong, State::waits, State::nearly, State::differs})
+    for (const State state : {State::notBegun, State::done, State::wrong, State::waits,
+                              State::nearly, State::differs, State::maybe})
       wide = std::max(wide, report::displayWidth(nameOf(state)));
     for (const Row& row : checked.rows) {
       const std::string note = noteOf(checked, row);
@@ -143,7 +144,8 @@ json problemsOf(const Looked& looked) {
 
 json toJson(const std::vector<Looked>& all) {
   json parts = json::array();
-  static const char* const kNames[] = {"not_begun", "done", "wrong", "waits", "nearly", "differs"};
+  static const char* const kNames[] = {"not_begun", "done",    "wrong", "waits",
+                                       "nearly",    "differs", "maybe"};
   for (const Looked& looked : all) {
     const Checked& checked = looked.checked;
     json rows = json::array();

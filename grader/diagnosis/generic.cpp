@@ -21,6 +21,8 @@ using Kind = Generic::Kind;
 
 /// Least of what is wrong that a change must explain.
 constexpr double kExplained = 0.85;
+/// A change of brightness below this is none: such a picture is black.
+constexpr double kLeastFactor = 0.05;
 /// Shares of a picture below which two are the same, and from which on they are not.
 constexpr double kAlike = 5e-4, kDifferent = 2e-3;
 /// Shifts are looked for up to this share of the picture's side.
@@ -259,7 +261,9 @@ std::optional<Generic> generic(std::span<const Pair> pairs) {
     candidates.push_back({kind, 0, 0, 1, 0});
   if (const auto [dx, dy] = bestShift(student, reference); dx != 0 || dy != 0)
     candidates.push_back({Kind::shifted, dx, dy, 1, 0});
-  if (const double factor = brightness(student, reference); std::abs(factor - 1) > 0.04)
+  // What is nearly black, or was, is so for another reason.
+  if (const double factor = brightness(student, reference);
+      std::abs(factor - 1) > 0.04 && factor > kLeastFactor && factor < 1 / kLeastFactor)
     candidates.push_back({Kind::scaled, 0, 0, factor, 0});
 
   std::optional<Generic> best;

@@ -184,6 +184,15 @@ std::vector<StepRecord> windowSteps(const trace::Trace& trace, std::size_t frame
   return steps;
 }
 
+/// The steps of a pass that draw more than a quad.
+std::vector<StepRecord> meshSteps(const trace::Trace& trace, const PassRecord& pass) {
+  constexpr std::uint64_t kMostOfAScreen = 12;
+  std::vector<StepRecord> steps;
+  for (const StepRecord& step : trace.stepsOf(pass))
+    if (step.vertices > kMostOfAScreen) steps.push_back(step);
+  return steps;
+}
+
 bool nothingPasses(const StepRecord& step) {
   return step.depthTest == GL_NEVER;
 }
@@ -237,6 +246,20 @@ std::vector<std::string> stateFaults(const trace::Trace& trace) {
       add(say(
           "The depth test is on, but nothing writes depth: glDepthMask is GL_FALSE. Then what is "
           "drawn later hides what is nearer, and clearing the depth does nothing."));
+    for (const PassRecord& pass : trace.passesOf(frame)) {
+      const std::vector<StepRecord> meshes = meshSteps(trace, pass);
+      if (isWindow(pass) || meshes.empty()) continue;
+      const auto depth = trace::ImageKind(pass.images[trace::kDepth].kind);
+      if (depth != trace::ImageKind::none &&
+          std::ranges::none_of(meshes, [](const StepRecord& step) { return step.depthTest != 0; }))
+        add(say("Objects are drawn into framebuffer object {} while the depth test is off, though "
+                "it has depths: what is drawn last hides what is nearer. glEnable(GL_DEPTH_TEST).",
+                pass.framebuffer));
+      if (std::ranges::all_of(
+              meshes, [](const StepRecord& step) { return step.cullFace == GL_FRONT_AND_BACK; }))
+        add(say("Front and back faces are culled, so no triangle is drawn: "
+                "glCullFace(GL_BACK)."));
+    }
     bool drawn = false;
     for (const PassRecord& pass : trace.passesOf(frame)) {
       if (!isWindow(pass)) continue;

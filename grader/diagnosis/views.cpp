@@ -99,6 +99,19 @@ bool isDrawnOver(std::span<const trace::PassRecord> passes, std::size_t pass, st
          });
 }
 
+/// Was something drawn into this colour attachment, and nothing that the shaders write? What stands
+/// there then is undefined.
+bool isUndefined(const trace::Trace& trace, const trace::PassRecord& pass, std::uint32_t a) {
+  if (pass.kind != std::uint32_t(trace::PassKind::draw) || a >= trace::kColors) return false;
+  std::uint32_t outputs = 0; // that go there
+  for (std::uint32_t i = 0; i < trace::kColors; ++i)
+    if (pass.attachmentOfOutput[i] == a) outputs |= 1U << i;
+  const auto steps = trace.stepsOf(pass);
+  return outputs != 0 && !steps.empty() &&
+         std::ranges::none_of(
+             steps, [&](const trace::StepRecord& step) { return (step.outputs & outputs) != 0; });
+}
+
 std::string firstOf(const Slot& slot) {
   if (slot.stencil) return say("the stencil buffer");
   if (slot.depth && slot.mesh) return say("the depth texture that objects are drawn into");
@@ -114,7 +127,7 @@ std::string firstOf(const Slot& slot) {
 
 std::string describe(const Slot& slot) {
   const std::string first = firstOf(slot);
-  return slot.nth > 0 ? say("{}, drawn time {}", first, slot.nth + 1) : first;
+  return slot.nth > 0 ? say("{}, number {} of those", first, slot.nth + 1) : first;
 }
 
 const PassView* SceneViews::find(const Slot& slot) const {
@@ -211,6 +224,7 @@ SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace, bo
         view.slot.octave =
             std::int32_t(std::lround(std::log2(double(frames[0].height()) / double(copy->height))));
       view.slot.nth = seen[view.slot]++;
+      if (isUndefined(trace, passes[i], a)) continue;
       Image pixels = trace.image(*copy);
       if (!view.slot.mesh && !view.slot.depth && view.slot.octave > 0)
         pixels = evened(firstChannels(pixels, std::min(pixels.channels(), 3)));

@@ -132,6 +132,8 @@ struct StepRecord {
   float polygonOffsetFactor, polygonOffsetUnits;
   std::uint32_t framebufferSrgb;
   std::uint32_t rasterizerDiscard;
+  std::uint32_t
+      outputs; ///< mask of the outputs that the fragment shader writes; the rest is undefined
   std::uint32_t firstMatrix, matrixCount; ///< in the table of matrices
   std::uint32_t firstSample, sampleCount; ///< in the table of samples
 };

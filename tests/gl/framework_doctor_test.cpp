@@ -18,6 +18,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::ResultOf;
+using testing::StartsWith;
 using testing::internal::CaptureStderr;
 using testing::internal::GetCapturedStderr;
 
@@ -155,7 +156,7 @@ TEST_P(Doctor, AFramebufferObjectIsLeftBound) {
   });
   EXPECT_EQ(printed,
             "frame doctor: framebuffer object 1 is still bound at the end of the frame; the window "
-            "needs glBindFramebuffer(GL_FRAMEBUFFER, 0). It was bound last "
+            "needs glBindFramebuffer(GL_FRAMEBUFFER, 0); the place of its last binding: "
             "(framework_doctor_test.cpp:" +
                 std::to_string(line) +
                 ")\nframe doctor: nothing is drawn to the window: all that this frame draws goes "
@@ -213,32 +214,40 @@ TEST_P(Doctor, AFramebufferWithoutItsColour) {
 }
 
 TEST_P(Doctor, AViewportThatDoesNotFit) {
-  EXPECT_EQ(frame([&](gg::Window&) {
-              const gg::Program red = triangle();
-              const Target target(48);
-              red.use();
-              draw();
-              glBindFramebuffer(GL_FRAMEBUFFER, 0);
-              clear();
-              draw();
-            }),
-            "frame doctor: the viewport is 32 x 32 pixels, but framebuffer object 301 is 48 x 16. "
-            "Call glViewport after binding what is drawn into\n");
+  EXPECT_THAT(
+      frame([&](gg::Window&) {
+        const gg::Program red = triangle();
+        const Target target(48);
+        red.use();
+        draw();
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        clear();
+        draw();
+      }),
+      AllOf(StartsWith("frame doctor: the viewport is 32 x 32 pixels, but framebuffer object 301 "
+                       "is 48 x 16. Is glViewport called after binding what is drawn into, and "
+                       "with its size? Or has that a wrong size? (framework_doctor_test.cpp:"),
+            ResultOf(lines, 1)));
 }
 
 TEST_P(Doctor, TheWindowsViewportIsForgotten) {
-  EXPECT_EQ(frame([&](gg::Window&) {
-              const gg::Program red = triangle();
-              const Target target;
-              glViewport(0, 0, 16, 16);
-              red.use();
-              draw();
-              glBindFramebuffer(GL_FRAMEBUFFER, 0);
-              clear();
-              draw();
-            }),
-            "frame doctor: the viewport is 16 x 16 pixels, but the window is 32 x 32. Call "
-            "glViewport after binding what is drawn into\n");
+  int line = 0;
+  const std::string printed = frame([&](gg::Window&) {
+    const gg::Program red = triangle();
+    const Target target;
+    glViewport(0, 0, 16, 16);
+    red.use();
+    draw();
+    line = __LINE__ + 1;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    clear();
+    draw();
+  });
+  EXPECT_EQ(printed,
+            "frame doctor: the viewport is 16 x 16 pixels, but the window is 32 x 32. Is "
+            "glViewport called after binding what is drawn into, and with its size? Or has that a "
+            "wrong size? (framework_doctor_test.cpp:" +
+                std::to_string(line) + ")\n");
 }
 
 TEST_P(Doctor, CullingIsLeftAtFront) {
@@ -405,9 +414,18 @@ TEST_P(Doctor, ColoursAreNotCleared) {
                 glEnable(GL_DEPTH_TEST);
                 glClear(GL_DEPTH_BUFFER_BIT);
                 red.use();
-                draw();
+                glDrawArrays(GL_TRIANGLES, 0, 9);
               }),
               HasSubstr("the colours of the window are not cleared before objects are drawn"));
+  EXPECT_EQ(frame([&](gg::Window&) {
+              const gg::Program red = triangle();
+              glEnable(GL_DEPTH_TEST);
+              glClear(GL_DEPTH_BUFFER_BIT);
+              red.use();
+              draw();
+            }),
+            "")
+      << "it may cover the window, and is no object";
 }
 
 TEST_P(Doctor, ATextureWithoutMipmaps) {

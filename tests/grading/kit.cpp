@@ -24,6 +24,7 @@ std::vector<std::string> statesOf(const std::string& part, const fs::path& expec
   EXPECT_THAT(ended.exitCode, testing::AnyOf(0, 1)) << ended.errors;
   if (said) *said = ended.out;
   std::vector<std::string> states;
+  EXPECT_NE(ended.out, "") << ended.errors;
   const json all = json::parse(ended.out);
   for (const json& todo : all.at(0).at("todos")) states.push_back(todo.at("state"));
   return states;

@@ -232,7 +232,7 @@ TEST_F(Check, NamesAKnownMistakeAtItsOwnStep) {
                 "glClear(GL_DEPTH_BUFFER_BIT);");
   part = checked(clear.path());
   // Which of them can't be told before objects are drawn.
-  EXPECT_EQ(part.at("cause"), "One of 3 mistakes that look alike so far");
+  EXPECT_EQ(part.at("cause"), "It may be one of these 3 mistakes, which look alike so far");
   EXPECT_THAT(part.at("hint").get<std::string>(),
               AllOf(HasSubstr("- The clear comes before the framebuffer object is bound\n  "),
                     HasSubstr("\n- Only the depth of the framebuffer object is cleared\n  "),

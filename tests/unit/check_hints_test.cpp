@@ -35,7 +35,7 @@ Checked lightWrong() {
 }
 
 Checked clearWrong() {
-  Checked checked = found(State::wrong, "One of 2 mistakes that look alike so far",
+  Checked checked = found(State::wrong, "It may be one of these 2 mistakes, which look alike so far",
                           "- Too early\n  What is bound?\n- Depth alone\n  What is a bit?");
   checked.titles = {"Too early", "Depth alone"};
   return checked;
@@ -80,7 +80,7 @@ TEST(CheckHints, OneLevelAfterTheOther) {
                     Not(HasSubstr("Which space"))));
   EXPECT_THAT(seen.at(Level::look),
               AllOf(HasSubstr("\nLikely cause: The light is not brought along\n"),
-                    HasSubstr("\nFor one more hint: ask\n"), Not(HasSubstr("Which space"))));
+                    HasSubstr("\nFor one more hint, again: ask\n"), Not(HasSubstr("Which space"))));
   EXPECT_THAT(seen.at(Level::why), AllOf(HasSubstr("The light is not"), HasSubstr("Which space"),
                                          HasSubstr("last hint"), Not(HasSubstr(": ask"))));
 }
@@ -120,7 +120,7 @@ TEST(CheckHints, AWrongPictureOfNoKnownCauseIsToldAsSuch) {
 TEST(CheckHints, JsonHasEverything) {
   Seen seen(clearWrong());
   const nlohmann::json part = toJson({seen.looked}).at(0);
-  EXPECT_THAT(part.at("cause").get<std::string>(), StartsWith("One of 2"));
+  EXPECT_THAT(part.at("cause").get<std::string>(), StartsWith("It may be one of these 2"));
   EXPECT_THAT(part.at("hint").get<std::string>(), HasSubstr("What is bound?"));
   EXPECT_EQ(part.at("problems").at(0), (nlohmann::json{{"file", "m.cpp"},
                                                        {"line", 12},
@@ -133,12 +133,12 @@ TEST(CheckHints, HowFarAndWhatForWhileNothingIsWrong) {
   Seen seen(found(State::notBegun, "", ""));
   EXPECT_THAT(seen.at(Level::where),
               AllOf(HasSubstr("m: [##----] 1 of 3 done"),
-                    HasSubstr("\nm.1 is done: Near hides far\n"),
+                    HasSubstr("\nm.1 is done. What it is for: Near hides far\n"),
                     HasSubstr("\nm.cpp:12:4: note: m.2 is next: light it\n"),
                     HasSubstr("\nNext: assignments/m/README.md, step 2: light it\n")));
   seen.looked.checked.rows[1].state = State::done;
   EXPECT_THAT(seen.at(Level::where),
-              AllOf(HasSubstr("[####--] 2 of 3"), HasSubstr("\nm.2 is done: light it\n")))
+              AllOf(HasSubstr("[####--] 2 of 3"), HasSubstr("\nm.2 is done. What it is for: light it\n")))
       << "no item is about it";
   EXPECT_THAT(Seen(lightWrong()).at(Level::where), Not(HasSubstr("is done:")));
   seen.looked.checked.rows[1].state = State::nearly;

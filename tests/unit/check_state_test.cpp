@@ -59,6 +59,21 @@ TEST(CheckState, WhatOnlyATextureIsDrawnWithIsNotTheWindows) {
   EXPECT_THAT(stateFaults(trace), IsEmpty());
 }
 
+TEST(CheckState, NamesWhatHidesObjectsInATexture) {
+  trace::Trace trace = drawing();
+  trace.steps[0].vertices = 300;
+  EXPECT_THAT(stateFaults(trace), IsEmpty());
+  trace.passes[0].images[trace::kDepth] = trace.passes[0].images[0];
+  trace.steps[0].depthTest = 0;
+  EXPECT_THAT(stateFaults(trace), ElementsAre(HasSubstr("while the depth test is off")));
+  trace.passes[0].images[trace::kDepth].kind = std::uint32_t(trace::ImageKind::none);
+  EXPECT_THAT(stateFaults(trace), IsEmpty()) << "it has none";
+  trace.steps[0].cullFace = GL_FRONT_AND_BACK;
+  EXPECT_THAT(stateFaults(trace), ElementsAre(HasSubstr("Front and back faces are culled")));
+  trace.steps[0].vertices = 6;
+  EXPECT_THAT(stateFaults(trace), IsEmpty()) << "no object";
+}
+
 TEST(CheckState, NamesClearsThatHideEverything) {
   trace::Trace trace = drawing();
   trace.passes[1].cleared |= 1U << trace::kDepth;

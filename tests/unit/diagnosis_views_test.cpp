@@ -12,6 +12,7 @@ using namespace ggrade;
 namespace fs = std::filesystem;
 using namespace ggrade::diagnosis;
 using testing::Each;
+using testing::ElementsAre;
 using testing::FloatNear;
 
 namespace {
@@ -69,6 +70,28 @@ TEST(DiagnosisViews, APassIsFoundByWhatItIs) {
   trace.passes[1].draws = 1;
   trace.passes[1].firstStep = trace.passes[1].stepCount = 0;
   EXPECT_TRUE(views(frames, trace).passes.empty()); // copied was the first alone
+}
+
+TEST(DiagnosisViews, WhatNoShaderWritesIsNoPicture) {
+  const auto slots = [](std::uint32_t outputs) {
+    trace::Trace trace = trace::samples::mirror();
+    trace.copies.clear();
+    trace.pixels.clear();
+    trace.passes[0].images[1] = trace.passes[0].images[0];
+    trace.passes[0].drawBuffers = 3;
+    trace.passes[0].attachmentOfOutput[1] = 1;
+    for (trace::StepRecord& step : trace.steps) step.outputs = outputs;
+    const std::vector<float> grey(16, 0.5f);
+    for (const std::uint32_t attachment : {0u, 1u})
+      trace::samples::addCopy(trace, 0, attachment, trace::PixelType::f32x4, 2, 2, grey);
+    std::vector<int> seen;
+    for (const PassView& pass : views({samples::scene(8, 4)}, trace).passes)
+      seen.push_back(pass.slot.nth);
+    return seen;
+  };
+  EXPECT_THAT(slots(3), ElementsAre(0, 1));
+  EXPECT_THAT(slots(1), ElementsAre(0));
+  EXPECT_THAT(slots(2), ElementsAre(1)) << "the others keep their numbers";
 }
 
 TEST(DiagnosisViews, AnOutputIsTheSameWhereverItIsAttached) {

@@ -44,6 +44,7 @@ inline PassRecord pass(std::uint32_t framebuffer, std::uint32_t width, std::uint
 
 inline StepRecord step(std::uint32_t ofPass, std::uint32_t program, const PassRecord& record) {
   StepRecord made{};
+  made.outputs = ~0U;
   made.pass = ofPass;
   made.program = program;
   made.mode = GL_TRIANGLES;

@@ -89,6 +89,7 @@ inline Trace mirror() {
   trace.passes = {reflection, window};
 
   StepRecord step{};
+  step.outputs = ~0U;
   step.pass = 0;
   step.program = 5;
   step.mode = GL_TRIANGLES;

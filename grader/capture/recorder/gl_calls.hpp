@@ -41,7 +41,9 @@ struct GlCalls {
   GG_CALL(getNamedBufferParameteri64v, glGetNamedBufferParameteri64v);
   GG_CALL(getNamedBufferSubData, glGetNamedBufferSubData);
   GG_CALL(getNamedRenderbufferParameteriv, glGetNamedRenderbufferParameteriv);
+  GG_CALL(getProgramInterfaceiv, glGetProgramInterfaceiv);
   GG_CALL(getProgramPipelineiv, glGetProgramPipelineiv);
+  GG_CALL(getProgramResourceiv, glGetProgramResourceiv);
   GG_CALL(getProgramiv, glGetProgramiv);
   GG_CALL(getSamplerParameteriv, glGetSamplerParameteriv);
   GG_CALL(getTextureLevelParameteriv, glGetTextureLevelParameteriv);

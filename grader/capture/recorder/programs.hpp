@@ -37,6 +37,7 @@ struct ProgramInfo {
   std::vector<Sampler> samplers;
   std::vector<MatrixUniform> matrices;
   std::vector<GLint> images; ///< locations of the image uniforms
+  std::uint32_t outputs = 0; ///< mask of those that the fragment shader writes
 };
 
 /// Programs are asked once, until they are linked anew.

@@ -103,6 +103,9 @@ OpenStep* stepFor(Session& session, OpenPass& pass) {
   next.programs = currentPrograms();
   next.record = readState();
   next.record.program = next.programs.empty() ? 0 : next.programs.front();
+  if (next.record.program)
+    next.record.outputs =
+        session.shared().programs.info(session.state().shareGroup, next.record.program).outputs;
   next.samples = currentSamples(session, pass, next.programs, next.record);
   if (!pass.steps.empty()) {
     OpenStep& open = pass.steps.back();
