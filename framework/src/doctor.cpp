@@ -229,13 +229,13 @@ void onDraw(GLsizei vertices) {
   if (glad_glIsEnabled(GL_DEPTH_TEST) == GL_TRUE && hasDepth()) {
     const GLint comparison = ask(GL_DEPTH_FUNC);
     if (!target.depthCleared && (comparison == GL_LESS || comparison == GL_LEQUAL))
-      find(say("the depth test is on, but the depth of {} was not cleared in this frame: what was "
-               "there hides what is drawn. glClear(GL_DEPTH_BUFFER_BIT)",
+      find(say("the depth test is on, but the depth of {} was not cleared in this frame before "
+               "this is drawn: what was there hides it. glClear(GL_DEPTH_BUFFER_BIT)",
                nameOf(framebuffer)) +
            lastPlace());
     if (!target.colorCleared && framebuffer == 0 && vertices > kMostOfAScreen)
-      find(say("the colours of the window are not cleared before objects are drawn: the frame "
-               "before shows through. glClear(GL_COLOR_BUFFER_BIT)") +
+      find(say("the colours of the window are not cleared before objects are drawn, so that what "
+               "was there shows around them. glClear(GL_COLOR_BUFFER_BIT)") +
            lastPlace());
   }
   const auto program = static_cast<GLuint>(ask(GL_CURRENT_PROGRAM));
@@ -405,7 +405,7 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
   const GLuint bound = boundForDrawing();
   if (bound != 0)
     find(say("framebuffer object {} is still bound at the end of the frame; the window needs "
-             "glBindFramebuffer(GL_FRAMEBUFFER, 0); the place of its last binding:{}",
+             "glBindFramebuffer(GL_FRAMEBUFFER, 0){}",
              bound, watch.boundAt[bound]));
   for (const auto& [reader, loop] : watch.loops)
     if (loop.framebuffer != bound) find(loop.text); // else it comes of that

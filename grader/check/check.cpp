@@ -392,7 +392,7 @@ private:
         checked_.titles.empty()
             ? say("It looks like this mistake, but may be another one: {}. If it is this: {}",
                   checked_.cause, checked_.hint)
-            : fmt::format("{}\n{}", checked_.cause, checked_.hint);
+            : fmt::format("{}\n{}", capitalized(checked_.cause), checked_.hint);
     checked_.cause.clear();
     checked_.hint.clear();
     checked_.titles.clear();
@@ -505,6 +505,9 @@ private:
     wrong.another = expected_.scenes[first.scene].another;
     wrong.share = first.share;
     wrong.isMissing = first.missing;
+    if (first.missing && first.slot->mesh)
+      change_ = say("No object is drawn into a texture: is anything drawn while its framebuffer "
+                    "object is bound?");
     const Image* ours = pictureOf(*shown_[first.scene], first);
     const Image* expected = pictureOf(expected_.steps[step_][first.scene], first);
     if (ours) wrong.ours = *ours;
@@ -512,7 +515,11 @@ private:
     if (ours && expected && ours->channels() == expected->channels()) {
       const Image fitted = diagnosis::resized(*ours, expected->width(), expected->height());
       const diagnosis::Pair pair{&fitted, expected, nullptr, nullptr};
-      if (const auto change = diagnosis::generic({&pair, 1}))
+      using Kind = diagnosis::Generic::Kind;
+      const auto change = diagnosis::generic({&pair, 1});
+      // Nothing but a window is encoded for a display.
+      if (change &&
+          (!first.slot || (change->kind != Kind::encodedTwice && change->kind != Kind::notEncoded)))
         change_ = diagnosis::describe(*change, capitalized(wrong.name));
     }
     checked_.firstWrong = std::move(wrong);
@@ -550,7 +557,7 @@ private:
     }
     // Beside a puzzle it stays among the messages, told at once.
     if (!checked_.isPuzzle) found.insert(found.end(), said.begin(), said.end());
-    if (!change_.empty()) found.push_back(change_);
+    if (!change_.empty() && found.empty()) found.push_back(change_);
     if (!resemblance_.empty() && checked_.cause.empty()) found.push_back(resemblance_);
     if (found.empty()) return;
     checked_.cause = capitalized(found.front());

@@ -15,8 +15,7 @@ namespace {
 constexpr double kNearly = 0.02;
 
 /// Of what is wrong in a picture, what a step must have changed for it to be blamed although
-/// another one's first picture is wrong, later in the frame; and of what the likeliest step has
-/// changed of it, what another one must have to be as likely.
+/// another one's first picture is wrong, later in the frame; or to be as likely as the one that is.
 constexpr double kOwn = 0.5;
 
 /// One picture of all those that a program is compared by. Passes come before windows, as in a
@@ -159,16 +158,17 @@ public:
     return ofProgram(cells_[cell]) || !ownPasses(expected_, *shown_[scene], scene).empty();
   }
 
-  /// Those of the first `should` steps that have changed as much of what is wrong in a picture as
-  /// one of them, or nearly.
-  std::vector<std::size_t> asLikely(std::size_t cell, std::size_t one, std::size_t should) const {
-    std::vector<std::size_t> found;
-    const double least = kOwn * overlap(cell, one, should);
-    for (std::size_t k = 1; k <= should; ++k)
-      if (k != one && ofStep(k, cells_[cell]) && isChanged(cell, k) &&
-          overlap(cell, k, should) >= least)
-        found.push_back(k);
-    return found;
+  /// Does step k change most of the pixels that aren't as after step `should`?
+  bool changesWhatIsWrong(std::size_t cell, std::size_t k, std::size_t should) const {
+    const Cell& at = cells_[cell];
+    const std::vector<float> changed = diagnosis::distance(ofStep(k, at), ofStep(k - 1, at));
+    const std::vector<float> wrong = diagnosis::distance(ofStep(should, at), ofProgram(at));
+    double both = 0, all = 0;
+    for (std::size_t i = 0; i < std::min(changed.size(), wrong.size()); ++i) {
+      both += double(std::min(changed[i], wrong[i]));
+      all += double(wrong[i]);
+    }
+    return both > kOwn * all;
   }
 
   /// The first picture that isn't as after step `should`.
@@ -308,7 +308,8 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     for (std::size_t k = 1; k < judging.steps(); ++k) {
       Row& row = all[k - 1];
       if (row.state != State::waits && row.state != State::done) continue;
-      const double overlap = wrong ? judging.overlap(*wrong, k, should) : 0;
+      const bool isLast = k == should && should + 1 < judging.steps() && row.state == State::waits;
+      const double overlap = isLast ? 1 : wrong ? judging.overlap(*wrong, k, should) : 0;
       if (overlap < most) continue;
       culprit = &row;
       most = overlap;
@@ -327,10 +328,11 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     // Pictures alone don't tell which of several it is, unless the others were looked at before.
     const auto at = std::size_t(culprit - all.data()) + 1;
     const bool isLast = at == should && should + 1 < judging.steps();
-    if (culprit->state == State::wrong && wrong && !judging.isAnother(*wrong) && windows.empty() &&
+    if (culprit->state == State::wrong && wrong && !judging.isAnother(*wrong) && inWindows &&
         (!isLast || suspect.isLater) && !isKnown) {
-      for (const std::size_t k : judging.asLikely(*wrong, at, should))
-        if (begun.count(all[k - 1].todo)) all[k - 1].state = State::maybe;
+      for (std::size_t k = 1; k <= should; ++k)
+        if (begun.count(all[k - 1].todo) && judging.changesWhatIsWrong(*wrong, k, should))
+          all[k - 1].state = State::maybe;
       for (Row& row : all)
         if (&row != culprit && row.state != State::notBegun &&
             (row.todo == suspect.todo || suspect.isLater))

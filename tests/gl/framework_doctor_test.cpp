@@ -156,7 +156,7 @@ TEST_P(Doctor, AFramebufferObjectIsLeftBound) {
   });
   EXPECT_EQ(printed,
             "frame doctor: framebuffer object 1 is still bound at the end of the frame; the window "
-            "needs glBindFramebuffer(GL_FRAMEBUFFER, 0); the place of its last binding: "
+            "needs glBindFramebuffer(GL_FRAMEBUFFER, 0) "
             "(framework_doctor_test.cpp:" +
                 std::to_string(line) +
                 ")\nframe doctor: nothing is drawn to the window: all that this frame draws goes "
