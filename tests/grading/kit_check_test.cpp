@@ -283,10 +283,39 @@ TEST_F(Check, ATextureThatIsNotBoundIsMissed) {
       submission.replace("mirror.hpp", "  glActiveTexture(GL_TEXTURE0);\n" + bind,
                          atAll ? "  glActiveTexture(GL_TEXTURE1);\n" + bind : "");
       const json part = checked(submission.path());
-      EXPECT_EQ(part.at("todos").at(2).at("state"), "wrong") << part.dump(1);
+      // In the finished program others draw what is wrong, too.
+      EXPECT_EQ(part.at("todos").at(2).at("state"), steps == 3 ? "wrong" : "maybe") << part.dump(1);
       EXPECT_THAT(part.at("cause").get<std::string>(),
                   HasSubstr("The sampler uReflection reads no texture"));
     }
+}
+
+/// What pictures show of a mistake that nobody knows may come of several steps, and what is
+/// observed goes before what looks like a known one.
+TEST_F(Check, DoubtsWhatItDoesNotKnow) {
+  Submission axis = Submission::solution();
+  axis.replace("mirror.hpp", "glm::vec3(1, -1, 1)", "glm::vec3(1, 1, -1)");
+  json part = checked(axis.path());
+  EXPECT_EQ(part.at("todos").at(3).at("state"), "maybe") << part.dump(1);
+  EXPECT_EQ(part.at("todos").at(4).at("state"), "maybe") << part.dump(1);
+  EXPECT_EQ(part.at("cause"), "");
+  // The same picture as that of a framebuffer object without depths.
+  Submission test = Submission::solution();
+  test.replace(
+      "mirror.hpp", "  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n",
+      "  glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n  glDisable(GL_DEPTH_TEST);\n");
+  test.replace("mirror.hpp", kEndOfMirror, kEndOfMirror + "  glEnable(GL_DEPTH_TEST);\n");
+  part = checked(test.path());
+  EXPECT_THAT(part.at("cause").get<std::string>(), HasSubstr("while the depth test is off"));
+  EXPECT_THAT(part.at("hint").get<std::string>(),
+              StartsWith("It looks like this mistake, but may be another one: "));
+  for (const json& todo : part.at("todos")) EXPECT_NE(todo.at("state"), "wrong") << part.dump(1);
+  // It is wrong where it was called.
+  Submission viewport = Submission::solution();
+  viewport.replace("mirror.hpp", "glViewport(0, 0, reflection.size, reflection.size)",
+                   "glViewport(0, 0, reflection.size / 2, reflection.size / 2)");
+  part = checked(viewport.path());
+  EXPECT_EQ(part.at("todos").at(1).at("state"), "wrong") << part.dump(1);
 }
 
 TEST_F(Check, WhatAnotherPartBindsIsNotMissedHere) {
@@ -320,9 +349,10 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
   // Where, and no more than that before somebody asks.
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("mirror: [############--] 6 of 7 done"),
-                    HasSubstr("  mirror.7          wrong"),
+                    HasSubstr("  mirror.7          maybe wrong"),
                     hasLineAt(submission.path() / "tile.frag"),
-                    HasSubstr(": error: mirror.7 is wrong: "), HasSubstr("(in another scene: "),
+                    HasSubstr(": warning: mirror.7 may be wrong: "),
+                    HasSubstr("(in another scene: "),
                     HasSubstr(file.relative_path().string() + ")"),
                     HasSubstr("For a hint: add --hint\n"), Not(HasSubstr("Likely cause"))));
   const Ended asked = Running(command(submission.path(), {"--hint"})).wait(100);
@@ -335,11 +365,11 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
   Submission samples = Submission::solution();
   samples.replace("tile.frag", "i < uBlurSamples", "i < 16");
   const json part = checked(samples.path());
-  EXPECT_EQ(part.at("todos").at(6).at("state"), "wrong");
+  EXPECT_EQ(part.at("todos").at(6).at("state"), "maybe");
   EXPECT_EQ(part.at("todos").at(2).at("state"), "done");
   Submission none = Submission::solution();
   none.replace("tile.frag", "uBlurSigma > 0 && uBlurSamples > 0", "uBlurSigma > 0");
-  EXPECT_EQ(checked(none.path()).at("todos").at(6).at("state"), "wrong")
+  EXPECT_EQ(checked(none.path()).at("todos").at(6).at("state"), "maybe")
       << "the sum of no samples was divided by their number";
 }
 
