@@ -208,6 +208,8 @@ private:
           student.push_back(*shown_[i]);
           should.push_back(expected_.steps[step_][i]);
           scenes.push_back(i);
+          // There only windows count: passes may be made in another way.
+          if (another) student.back().passes.clear(), should.back().passes.clear();
         }
       first = diagnosis::firstWrong(student, should);
       if (!first) continue;
@@ -498,9 +500,9 @@ private:
   /// `first.scene` is one of `Expected::scenes`.
   void describe(const diagnosis::FirstWrong& first) {
     Wrong wrong;
-    wrong.name = first.slot
-                     ? diagnosis::describe(*first.slot)
-                     : say("the window at {} s", expected_.scenes[first.scene].times[first.frame]);
+    wrong.name = first.slot ? diagnosis::describe(*first.slot)
+                            : say("the window at {:.4g} s",
+                                  expected_.scenes[first.scene].times[first.frame]);
     wrong.scene = first.scene;
     wrong.another = expected_.scenes[first.scene].another;
     wrong.share = first.share;

@@ -161,8 +161,9 @@ std::string frustumFault(const Frustum& frustum, const trace::Trace& trace) {
   const double most = std::max({spread.behind, spread.near, spread.far, spread.beside});
   if (most > kLost) {
     if (most == spread.behind)
-      return say("{}% of what the light should see lies behind it: the camera at the light looks "
-                 "the other way. A camera looks along -z of its own space",
+      return say("{}% of what the light should see lies behind the camera that depths are drawn "
+                 "with: does it look the other way (a camera looks along -z of its own space), or "
+                 "are these not the light's matrices?",
                  percent(most));
     if (most == spread.near)
       return say("{}% of what the light should see lies nearer than its near plane", percent(most));

@@ -102,7 +102,7 @@ std::string noteOf(const Checked& checked, const Row& row) {
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));
   if (row.state == State::maybe)
-    add(say("it draws what is wrong, which may come of a step before it, too"));
+    add(say("it draws what is wrong, which may come of another step, too"));
   if (row.state == State::wrong || row.state == State::differs) {
     const std::string unseen = checked.cause.empty() ? unseenBefore(checked, row) : std::string();
     if (!unseen.empty())

@@ -267,7 +267,8 @@ private:
           break;
         }
     askedInVain_ = more && std::ranges::all_of(looked_, [](const Looked& looked) {
-                     return lastLevel(looked.checked) == Level::where;
+                     return lastLevel(looked.checked) == Level::where &&
+                            !(looked.checked.drawn && allRight(looked.checked.rows));
                    });
     bool isAsked = false;
     for (Looked& looked : looked_) {

@@ -164,7 +164,7 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
       errors.push_back(message);
   observed.todo =
       frustum.empty() ? firstTodo(errors, todos, expected, folder) : expected.frustum.todo;
-  observed.isSure = !observed.todo.empty();
+  observed.isSure = !observed.todo.empty() && frustum.empty(); // others may be drawn with
   // Some of what the doctor says has the place where it is to be mended, not where it shows.
   const auto has = [](const std::string& fault, std::string_view what) {
     return fault.find(gg::words(what)) != fault.npos;

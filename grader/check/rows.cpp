@@ -315,7 +315,16 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
       most = overlap;
     }
   }
-  if (culprit && windows.empty() && !suspect.isExplained && judging.isNearly(should)) {
+  // Where a step was left out, and nothing else is known, the last one before it.
+  if (!culprit && windows.empty() && gap <= should)
+    for (std::size_t k = 1; k < gap; ++k)
+      if (begun.count(all[k - 1].todo)) culprit = &all[k - 1];
+  if (culprit && windows.empty() && gap <= should && !suspect.isExplained &&
+      judging.isNearly(gap - 1)) {
+    for (std::size_t k = 1; k < gap; ++k)
+      if (begun.count(all[k - 1].todo)) all[k - 1].state = State::done;
+    culprit->state = State::nearly;
+  } else if (culprit && windows.empty() && !suspect.isExplained && judging.isNearly(should)) {
     allBegunAreDone();
     culprit->state = State::nearly;
   } else if (culprit) {

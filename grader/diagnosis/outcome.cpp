@@ -252,8 +252,8 @@ std::vector<std::string> stateFaults(const trace::Trace& trace) {
       const auto depth = trace::ImageKind(pass.images[trace::kDepth].kind);
       if (depth != trace::ImageKind::none &&
           std::ranges::none_of(meshes, [](const StepRecord& step) { return step.depthTest != 0; }))
-        add(say("Objects are drawn into framebuffer object {} while the depth test is off, though "
-                "it has depths: what is drawn last hides what is nearer. glEnable(GL_DEPTH_TEST).",
+        add(say("Objects are drawn into framebuffer object {} while the depth test is off: its "
+                "depths are neither compared nor written. glEnable(GL_DEPTH_TEST).",
                 pass.framebuffer));
       if (std::ranges::all_of(
               meshes, [](const StepRecord& step) { return step.cullFace == GL_FRONT_AND_BACK; }))

@@ -98,7 +98,7 @@ TEST(CheckFrustum, SaysWhatItLacks) {
   trace::MatrixRecord back = identity("uView");
   back.values[0] = back.values[10] = -1;
   EXPECT_THAT(frustumFault(held(), map(trace::samples::perspective("uProjection", 2, 8), back)),
-              HasSubstr("100% of what the light should see lies behind it"));
+              HasSubstr("100% of what the light should see lies behind the camera"));
   back.values[0] = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THAT(frustumFault(held(), map(trace::samples::perspective("uProjection", 2, 8), back)),
               HasSubstr("NaN"));

@@ -155,6 +155,14 @@ TEST(CheckRows, WhatWasLeftOutIsWaitedFor) {
   // The texture is right already, the window can't be.
   EXPECT_EQ(states(seen(kTexture, kWindow), {"m.1", "m.2", "m.4"}), "ddndn");
   EXPECT_EQ(states(seen(kEmpty, kWindow), begun), "ddntt");
+  // Something of a later one is there, such as a line that stands among its own.
+  const auto other = [](float height) {
+    return seen(kEmpty, painted(kSampled, 0.1f, 0.1f, 0.2f, 0.1f + height, 0.9f));
+  };
+  const std::set<std::string> gap{"m.1", "m.2", "m.3", "m.5"};
+  EXPECT_EQ(states(other(0.05f), gap), "ddlnt");
+  EXPECT_EQ(states(other(0.8f), gap).find('t'), 4u) << "what comes before is judged";
+  EXPECT_NE(states(other(0.8f), gap).find_first_of("wm"), std::string::npos);
 }
 
 TEST(CheckRows, PassesMayBeMadeInAnotherWayWhereTheWindowIsRight) {
