@@ -337,8 +337,8 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     // Pictures alone don't tell which of several it is, unless the others were looked at before.
     const auto at = std::size_t(culprit - all.data()) + 1;
     const bool isLast = at == should && should + 1 < judging.steps();
-    if (culprit->state == State::wrong && wrong && !judging.isAnother(*wrong) && inWindows &&
-        (!isLast || suspect.isLater) && !isKnown) {
+    if (culprit->state == State::wrong && wrong && !judging.isAnother(*wrong) &&
+        (inWindows || suspect.isGuess) && (!isLast || suspect.isLater) && !isKnown) {
       for (std::size_t k = 1; k <= should; ++k)
         if (begun.count(all[k - 1].todo) && judging.changesWhatIsWrong(*wrong, k, should))
           all[k - 1].state = State::maybe;
