@@ -226,7 +226,7 @@ private:
           suspect.todo = likeliest(i);
       // One picture of one colour looks like the next; and what is observed may explain all.
       const Image* wrong = pictureOf(*shown_[first->scene], *first);
-      if (!observed_.faults.empty() ||
+      if (observed_.isState ||
           (checked_.titles.empty() && (!wrong || diagnosis::isOneColour(*wrong))))
         doubtCatalogue();
       suspect.isSure = !checked_.cause.empty() || observed_.isSure;

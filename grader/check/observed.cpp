@@ -148,6 +148,7 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
     const bool vague = text.starts_with(gg::words("all pixels of the window have one colour"));
     (vague ? observed.guess : observed.faults.emplace_back()) = text;
   }
+  observed.isState = !observed.faults.empty();
   for (const SamplerFault& fault : samplers) observed.faults.push_back(fault.text);
 
   std::vector<std::string> errors;

@@ -15,9 +15,11 @@ struct Observed {
   std::vector<std::string> faults;
   std::string guess; ///< vague: any known mistake says more
   /// In whose lines a fault lies; empty: that isn't known. One is sure of it, as a call that fails
-  /// at a line is, or a matrix that one TODO makes; a state is often left by another.
+  /// at a line is; a state is often left by another.
   std::string todo;
   bool isSure = false;
+  /// Do `faults` hold more than what samplers read, of which known mistakes say more?
+  bool isState = false;
   bool isStorage = false; ///< a texture that is read has another size than in the reference
 };
 
