@@ -35,8 +35,9 @@ Checked lightWrong() {
 }
 
 Checked clearWrong() {
-  Checked checked = found(State::wrong, "It may be one of these 2 mistakes, which look alike so far",
-                          "- Too early\n  What is bound?\n- Depth alone\n  What is a bit?");
+  Checked checked =
+      found(State::wrong, "It may be one of these 2 mistakes, which look alike so far",
+            "- Too early\n  What is bound?\n- Depth alone\n  What is a bit?");
   checked.titles = {"Too early", "Depth alone"};
   return checked;
 }
@@ -137,8 +138,8 @@ TEST(CheckHints, HowFarAndWhatForWhileNothingIsWrong) {
                     HasSubstr("\nm.cpp:12:4: note: m.2 is next: light it\n"),
                     HasSubstr("\nNext: assignments/m/README.md, step 2: light it\n")));
   seen.looked.checked.rows[1].state = State::done;
-  EXPECT_THAT(seen.at(Level::where),
-              AllOf(HasSubstr("[####--] 2 of 3"), HasSubstr("\nm.2 is done. What it is for: light it\n")))
+  EXPECT_THAT(seen.at(Level::where), AllOf(HasSubstr("[####--] 2 of 3"),
+                                           HasSubstr("\nm.2 is done. What it is for: light it\n")))
       << "no item is about it";
   EXPECT_THAT(Seen(lightWrong()).at(Level::where), Not(HasSubstr("is done:")));
   seen.looked.checked.rows[1].state = State::nearly;
