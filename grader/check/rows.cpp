@@ -137,16 +137,8 @@ public:
   /// How well the pixels that step k changes in a picture are those that aren't as after step
   /// `should`: their intersection over their union.
   double overlap(std::size_t cell, std::size_t k, std::size_t should) const {
-    const Cell& at = cells_[cell];
-    const Image* after = ofStep(k, at);
-    const std::vector<float> changed = diagnosis::distance(after, ofStep(k - 1, at));
-    const std::vector<float> wrong = diagnosis::distance(ofStep(should, at), ofProgram(at));
-    double both = 0, any = 0;
-    for (std::size_t i = 0; i < std::min(changed.size(), wrong.size()); ++i) {
-      both += double(std::min(changed[i], wrong[i]));
-      any += double(std::max(changed[i], wrong[i]));
-    }
-    return any > 0 ? both / any : 0;
+    const Shares shares = sharesOf(cell, k, should);
+    return shares.any > 0 ? shares.both / shares.any : 0;
   }
 
   /// Is this a picture of a scene that was not handed out, which is there for one step?
@@ -160,15 +152,8 @@ public:
 
   /// Does step k change most of the pixels that aren't as after step `should`?
   bool changesWhatIsWrong(std::size_t cell, std::size_t k, std::size_t should) const {
-    const Cell& at = cells_[cell];
-    const std::vector<float> changed = diagnosis::distance(ofStep(k, at), ofStep(k - 1, at));
-    const std::vector<float> wrong = diagnosis::distance(ofStep(should, at), ofProgram(at));
-    double both = 0, all = 0;
-    for (std::size_t i = 0; i < std::min(changed.size(), wrong.size()); ++i) {
-      both += double(std::min(changed[i], wrong[i]));
-      all += double(wrong[i]);
-    }
-    return both > kOwn * all;
+    const Shares shares = sharesOf(cell, k, should);
+    return shares.both > kOwn * shares.wrong;
   }
 
   /// The first picture that isn't as after step `should`.
@@ -179,6 +164,23 @@ public:
   }
 
 private:
+  /// Sums over a picture: what isn't as after step `should`, what of it step k changes, and what is
+  /// either.
+  struct Shares {
+    double both = 0, any = 0, wrong = 0;
+  };
+  Shares sharesOf(std::size_t cell, std::size_t k, std::size_t should) const {
+    const Cell& at = cells_[cell];
+    const std::vector<float> changed = diagnosis::distance(ofStep(k, at), ofStep(k - 1, at));
+    const std::vector<float> wrong = diagnosis::distance(ofStep(should, at), ofProgram(at));
+    Shares shares;
+    for (std::size_t i = 0; i < std::min(changed.size(), wrong.size()); ++i) {
+      shares.both += double(std::min(changed[i], wrong[i]));
+      shares.any += double(std::max(changed[i], wrong[i]));
+      shares.wrong += double(wrong[i]);
+    }
+    return shares;
+  }
   bool isChanged(std::size_t cell, std::size_t k) const {
     return !diagnosis::alike(ofStep(k, cells_[cell]), ofStep(k - 1, cells_[cell]));
   }
@@ -267,6 +269,9 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     allBegunAreDone();
     return all;
   }
+  const auto isLastOfUnfinished = [&](std::size_t k) {
+    return k == should && should + 1 < judging.steps();
+  };
   // What comes after a step that somebody has left out lacks that step, so nothing tells what else
   // it lacks.
   const std::size_t gap =
@@ -290,7 +295,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     if (row.state != State::waits) continue;
     if (k > gap || !first[k]) continue;
     // Of an unfinished program the last step was not looked at before.
-    const bool isLast = k == should && should + 1 < judging.steps();
+    const bool isLast = isLastOfUnfinished(k);
     const double overlap = isLast ? 1 : judging.overlap(*first[k], k, should);
     if (!culprit || *first[k] < earliest || (*first[k] == earliest && overlap > most)) {
       culprit = &row;
@@ -308,7 +313,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     for (std::size_t k = 1; k < judging.steps(); ++k) {
       Row& row = all[k - 1];
       if (row.state != State::waits && row.state != State::done) continue;
-      const bool isLast = k == should && should + 1 < judging.steps() && row.state == State::waits;
+      const bool isLast = isLastOfUnfinished(k) && row.state == State::waits;
       const double overlap = isLast ? 1 : wrong ? judging.overlap(*wrong, k, should) : 0;
       if (overlap < most) continue;
       culprit = &row;
@@ -336,7 +341,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
       if (&row < culprit && row.state == State::waits) row.state = State::done;
     // Pictures alone don't tell which of several it is, unless the others were looked at before.
     const auto at = std::size_t(culprit - all.data()) + 1;
-    const bool isLast = at == should && should + 1 < judging.steps();
+    const bool isLast = isLastOfUnfinished(at);
     if (culprit->state == State::wrong && wrong && !judging.isAnother(*wrong) &&
         (inWindows || suspect.isGuess) && (!isLast || suspect.isLater) && !isKnown) {
       for (std::size_t k = 1; k <= should; ++k)

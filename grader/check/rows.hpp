@@ -43,8 +43,8 @@ struct Suspect {
   bool isExplained = false; ///< is it known what is wrong? Then little is wrong, too
   bool isGuess = false;     ///< others may be wrong instead, by what pictures tell
   bool isSure = false;      ///< also where a step before it was left out
-  bool isLater =
-      false; ///< first frames are right, so pictures don't tell whose fault later ones are
+  /// First frames are right, so pictures don't tell whose fault later ones are.
+  bool isLater = false;
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,

@@ -1,5 +1,6 @@
 #include "diagnosis/outcome.hpp"
 
+#include "diagnosis/views.hpp"
 #include "report/text.hpp"
 #include "words/words.hpp"
 
@@ -186,7 +187,6 @@ std::vector<StepRecord> windowSteps(const trace::Trace& trace, std::size_t frame
 
 /// The steps of a pass that draw more than a quad.
 std::vector<StepRecord> meshSteps(const trace::Trace& trace, const PassRecord& pass) {
-  constexpr std::uint64_t kMostOfAScreen = 12;
   std::vector<StepRecord> steps;
   for (const StepRecord& step : trace.stepsOf(pass))
     if (step.vertices > kMostOfAScreen) steps.push_back(step);

@@ -14,9 +14,6 @@ using gg::say;
 
 namespace {
 
-/// A quad or triangle has six vertices at most; the smallest mesh has many more.
-constexpr std::uint64_t kMostOfAScreen = 12;
-
 float compressed(float value) {
   if (std::isnan(value)) return -1;
   if (value > 1) return std::min(17.0f, 1 + std::log2(value));

@@ -141,7 +141,7 @@ TEST(CheckHints, HowFarAndWhatForWhileNothingIsWrong) {
   EXPECT_THAT(seen.at(Level::where), AllOf(HasSubstr("[####--] 2 of 3"),
                                            HasSubstr("\nm.2 is done. What it is for: light it\n")))
       << "no item is about it";
-  EXPECT_THAT(Seen(lightWrong()).at(Level::where), Not(HasSubstr("is done:")));
+  EXPECT_THAT(Seen(lightWrong()).at(Level::where), Not(HasSubstr("is done.")));
   seen.looked.checked.rows[1].state = State::nearly;
   EXPECT_THAT(seen.at(Level::where), HasSubstr("\nm.cpp:12:4: warning: m.2 may be wrong"));
 }
