@@ -44,6 +44,7 @@ struct Target {
   std::set<std::array<GLint, 4>> viewports;
   glm::ivec2 size{0}; // pixels; 0: unknown
   std::string viewportPlace;
+  std::optional<std::string> unclearedPlace; // of the first object drawn over old colours
 };
 
 // What is known of a program since it drew first.
@@ -233,10 +234,9 @@ void onDraw(GLsizei vertices) {
                "this is drawn: what was there hides it. glClear(GL_DEPTH_BUFFER_BIT)",
                nameOf(framebuffer)) +
            lastPlace());
-    if (!target.colorCleared && framebuffer == 0 && vertices > kMostOfAScreen)
-      find(say("the colours of the window are not cleared before objects are drawn, so that what "
-               "was there shows around them. glClear(GL_COLOR_BUFFER_BIT)") +
-           lastPlace());
+    if (!target.colorCleared && framebuffer == 0 && vertices > kMostOfAScreen &&
+        !target.unclearedPlace)
+      target.unclearedPlace = lastPlace();
   }
   const auto program = static_cast<GLuint>(ask(GL_CURRENT_PROGRAM));
   if (program == 0) {
@@ -409,6 +409,14 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
              bound, watch.boundAt[bound]));
   for (const auto& [reader, loop] : watch.loops)
     if (loop.framebuffer != bound) find(loop.text); // else it comes of that
+  if (const Target& target = watch.targets[0]; target.unclearedPlace)
+    find((target.colorCleared
+              ? say("objects are drawn into the window, and its colours are cleared after that, "
+                    "which wipes them out: should they go into a framebuffer object, and is one "
+                    "bound for drawing (GL_FRAMEBUFFER)? Or does the clear come too late?")
+              : say("the colours of the window are not cleared before objects are drawn, so that "
+                    "what was there shows around them. glClear(GL_COLOR_BUFFER_BIT)")) +
+         *target.unclearedPlace);
   checkViewports(window);
   for (const auto& [program, text] : watch.neverInUse) sayIfNeverInUse(program);
   if (glad_glIsEnabled(GL_CULL_FACE) == GL_TRUE && ask(GL_CULL_FACE_MODE) != GL_BACK)

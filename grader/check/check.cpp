@@ -234,6 +234,8 @@ private:
       if ((checked_.cause.empty() || observed_.isSure) && begun_.count(observed_.todo)) {
         suspect.todo = observed_.todo;
         suspect.isGuess = !observed_.isSure;
+      } else {
+        suspect.others = others_;
       }
       suspect.isExplained = !checked_.cause.empty() || !observed_.faults.empty() ||
                             !observed_.guess.empty() ||
@@ -243,7 +245,8 @@ private:
         checked_.cause = laterCause(program, *first);
       }
     } else if (first) {
-      suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one alone
+      suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one
+      suspect.isGuess = true;                             // and shows those before it, too
       checked_.cause =
           isWrongLater(*first)
               ? say("Each first frame is right, and the one after it isn't: is something that a "
@@ -253,10 +256,6 @@ private:
                     "something missing or too much that hardly shows in the others?");
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
-    // That scene is there for its TODO, and shows what is before it, too.
-    if (first && expected_.scenes[first->scene].another)
-      for (Row& row : checked_.rows)
-        if (row.state == State::wrong && &row != &checked_.rows.front()) row.state = State::maybe;
     blameStorage();
     // Each effect is right, so all of them may be so in another way: no picture says that they
     // aren't.
@@ -362,8 +361,9 @@ private:
   /// Names the known mistakes that show the same in one scene, in `cause` and `hint`: ones made
   /// just now, else ones in the finished program (whose window may be like an unfinished one's
   /// that is right); in `resemblance_`, what is only like one. Returns the TODO of the first;
-  /// empty: none is known.
+  /// empty: none is known. Those of the others go into `others_`.
   std::string likeliest(std::size_t scene) {
+    others_.clear();
     std::vector<const Fault*> faults = showingTheSame(scene, step_);
     if (faults.empty() && step_ < expected_.todos.size() && !isWindowRight(scene))
       faults = showingTheSame(scene, expected_.todos.size());
@@ -377,6 +377,7 @@ private:
       checked_.cause =
           say("it may be one of these {} mistakes, which look alike so far", faults.size());
       for (const Fault* fault : faults) {
+        others_.insert(fault->todo);
         checked_.titles.emplace_back(words(fault->title));
         checked_.hint += fmt::format("{}- {}\n  {}", checked_.hint.empty() ? "" : "\n",
                                      words(fault->title), words(fault->hint));
@@ -384,6 +385,7 @@ private:
           checked_.hint += "\n  " + say("To find out: {}", words(fault->experiment));
       }
     }
+    others_.erase(faults[0]->todo);
     return faults[0]->todo;
   }
 
@@ -610,6 +612,7 @@ private:
   diagnosis::Facts facts_;
   std::vector<channel::CapturedMessage> glMessages_; // of the public scene
   Observed observed_;                                // likewise
+  std::set<std::string> others_; // TODOs of mistakes that show the same as the likeliest one
   std::string endedAt_;     // the TODO in whose scene, not the public one, the program ended early
   std::string change_;      // what turns the right picture into the wrong one
   std::string resemblance_; // to a known mistake

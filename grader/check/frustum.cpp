@@ -93,11 +93,13 @@ bool takesAnothers(const Frustum& frustum, const trace::Trace& trace,
 struct Spread {
   double behind = 0, near = 0, far = 0, beside = 0; ///< shares
   std::array<double, 3> extent{};                   ///< 0 to 1 where all lie inside
+  bool isReversed = false; ///< does the farthest one have a smaller depth than the nearest one?
 };
 
 Spread spreadOf(const Frustum& frustum, const glm::dmat4& matrix) {
   Spread spread;
   glm::dvec3 low(1e30), high(-1e30);
+  double nearest = 1e300, farthest = -1e300, least = 0, most = 0; // distances, and their depths
   const double one = 1 / double(std::max<std::size_t>(frustum.points.size(), 1));
   for (const auto& [x, y, z] : frustum.points) {
     const glm::dvec4 clip = matrix * glm::dvec4(x, y, z, 1);
@@ -106,6 +108,8 @@ Spread spreadOf(const Frustum& frustum, const glm::dmat4& matrix) {
       continue;
     }
     const glm::dvec3 at = glm::dvec3(clip) / clip.w;
+    if (clip.w < nearest) nearest = clip.w, least = at.z;
+    if (clip.w > farthest) farthest = clip.w, most = at.z;
     low = glm::min(low, at);
     high = glm::max(high, at);
     if (at.z < -1)
@@ -115,6 +119,7 @@ Spread spreadOf(const Frustum& frustum, const glm::dmat4& matrix) {
     else if (std::max(std::abs(at.x), std::abs(at.y)) > 1)
       spread.beside += one;
   }
+  spread.isReversed = farthest > nearest && most < least;
   for (int axis = 0; axis < 3; ++axis)
     spread.extent[std::size_t(axis)] = std::max(0.0, (high[axis] - low[axis]) / 2);
   return spread;
@@ -165,6 +170,9 @@ std::string frustumFault(const Frustum& frustum, const trace::Trace& trace) {
                  "with: does it look the other way (a camera looks along -z of its own space), or "
                  "are these not the light's matrices?",
                  percent(most));
+    if (spread.isReversed)
+      return say("what is farther from the light gets a smaller depth: is the near plane's distance "
+                 "greater than the far one's, or the sign of z another one than a camera's?");
     if (most == spread.near)
       return say("{}% of what the light should see lies nearer than its near plane", percent(most));
     if (most == spread.far)

@@ -102,7 +102,8 @@ std::string noteOf(const Checked& checked, const Row& row) {
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));
   if (row.state == State::maybe)
-    add(say("it draws what is wrong, which may come of another step, too"));
+    add(row.seen ? say("it draws what is wrong, which may come of another step, too")
+                 : say("no picture shows it by itself, and what stands on it is wrong"));
   if (row.state == State::wrong || row.state == State::differs) {
     const std::string unseen = checked.cause.empty() ? unseenBefore(checked, row) : std::string();
     if (!unseen.empty())

@@ -150,16 +150,21 @@ public:
     return ofProgram(cells_[cell]) || !ownPasses(expected_, *shown_[scene], scene).empty();
   }
 
+  bool isChanged(std::size_t cell, std::size_t k) const {
+    return !diagnosis::alike(ofStep(k, cells_[cell]), ofStep(k - 1, cells_[cell]));
+  }
+
   /// Does step k change most of the pixels that aren't as after step `should`?
   bool changesWhatIsWrong(std::size_t cell, std::size_t k, std::size_t should) const {
     const Shares shares = sharesOf(cell, k, should);
     return shares.both > kOwn * shares.wrong;
   }
 
-  /// The first picture that isn't as after step `should`.
+  /// The first picture that isn't as after step `should`; of scenes that were not handed out only
+  /// windows count.
   std::optional<std::size_t> firstWrong(std::size_t should) const {
     for (std::size_t c = 0; c < cells_.size(); ++c)
-      if (!same(c, should)) return c;
+      if (!same(c, should) && !(cells_[c].slot && isAnother(c))) return c;
     return std::nullopt;
   }
 
@@ -180,9 +185,6 @@ private:
       shares.wrong += double(wrong[i]);
     }
     return shares;
-  }
-  bool isChanged(std::size_t cell, std::size_t k) const {
-    return !diagnosis::alike(ofStep(k, cells_[cell]), ofStep(k - 1, cells_[cell]));
   }
   bool isLastToChange(std::size_t cell, std::size_t k, std::size_t should) const {
     if (!ofStep(k, cells_[cell]) || !isChanged(cell, k)) return false;
@@ -336,22 +338,34 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     const bool inWindows = std::ranges::find(windows, should) == windows.end();
     const bool isDrawn = wrong && judging.isDrawn(*wrong);
     culprit->state = inWindows || suspect.isExplained || !isDrawn ? State::wrong : State::differs;
+    // Those that draw what is wrong, and of which nothing else is right.
+    std::set<std::string> drawing;
+    for (std::size_t k = 1; wrong && k <= std::min(should, gap); ++k)
+      if ((all[k - 1].state == State::waits && judging.isChanged(*wrong, k)) ||
+          (begun.count(all[k - 1].todo) && judging.changesWhatIsWrong(*wrong, k, should)))
+        drawing.insert(all[k - 1].todo);
     // What comes before it and isn't seen is not what is wrong.
     for (Row& row : all)
       if (&row < culprit && row.state == State::waits) row.state = State::done;
     // Pictures alone don't tell which of several it is, unless the others were looked at before.
     const auto at = std::size_t(culprit - all.data()) + 1;
     const bool isLast = isLastOfUnfinished(at);
-    if (culprit->state == State::wrong && wrong && !judging.isAnother(*wrong) &&
-        (inWindows || suspect.isGuess) && (!isLast || suspect.isLater) && !isKnown) {
-      for (std::size_t k = 1; k <= should; ++k)
-        if (begun.count(all[k - 1].todo) && judging.changesWhatIsWrong(*wrong, k, should))
-          all[k - 1].state = State::maybe;
+    const bool isDoubtful = (inWindows || suspect.isGuess) && !isKnown &&
+                            (!isLast || suspect.isLater || (wrong && judging.isAnother(*wrong)));
+    if (culprit->state == State::wrong && isNamed && !suspect.others.empty()) {
+      for (Row& row : all)
+        if (&row == culprit || (suspect.others.count(row.todo) && row.state != State::notBegun))
+          row.state = State::maybe;
+    } else if (culprit->state == State::wrong && wrong && isDoubtful) {
       for (Row& row : all)
         if (&row != culprit && row.state != State::notBegun &&
-            (row.todo == suspect.todo || suspect.isLater))
+            (row.todo == suspect.todo || suspect.isLater || drawing.count(row.todo)))
           row.state = State::maybe;
-      culprit->state = State::maybe; // or what it stands on
+      culprit->state = State::maybe;
+      // Of what they stand on nothing may have been seen before.
+      for (std::size_t k = should; k > 1; --k)
+        if (all[k - 1].state == State::maybe && !all[k - 2].seen && begun.count(all[k - 2].todo))
+          all[k - 2].state = State::maybe;
     }
   }
   return all;

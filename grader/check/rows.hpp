@@ -45,6 +45,7 @@ struct Suspect {
   bool isSure = false;      ///< also where a step before it was left out
   /// First frames are right, so pictures don't tell whose fault later ones are.
   bool isLater = false;
+  std::set<std::string> others{}; ///< TODOs that are as likely
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,

@@ -417,6 +417,16 @@ TEST_P(Doctor, ColoursAreNotCleared) {
                 glDrawArrays(GL_TRIANGLES, 0, 9);
               }),
               HasSubstr("the colours of the window are not cleared before objects are drawn"));
+  EXPECT_THAT(frame([&](gg::Window&) {
+                const gg::Program red = triangle();
+                glEnable(GL_DEPTH_TEST);
+                glClear(GL_DEPTH_BUFFER_BIT);
+                red.use();
+                glDrawArrays(GL_TRIANGLES, 0, 9);
+                glClear(GL_COLOR_BUFFER_BIT);
+                draw();
+              }),
+              HasSubstr("objects are drawn into the window, and its colours are cleared after that"));
   EXPECT_EQ(frame([&](gg::Window&) {
               const gg::Program red = triangle();
               glEnable(GL_DEPTH_TEST);

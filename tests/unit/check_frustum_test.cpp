@@ -87,6 +87,8 @@ TEST(CheckFrustum, SaysWhatItLacks) {
                                                             "nearer than its near plane"));
   EXPECT_THAT(frustumFault(held(), map(1, 4.5f)), HasSubstr("25% of what the light should see lies "
                                                             "beyond its far plane"));
+  EXPECT_THAT(frustumFault(held(), map(8, 4.5f)), HasSubstr("what is farther from the light gets a "
+                                                            "smaller depth"));
   EXPECT_THAT(frustumFault(held(), map(0, 8)), HasSubstr("within 0% of the depths"));
   EXPECT_THAT(frustumFault(held(), map(1e-4f, 8)), HasSubstr("near plane too near"));
   trace::MatrixRecord narrow = trace::samples::perspective("uProjection", 2, 8);
