@@ -370,10 +370,13 @@ void checkViewports(const glm::ivec2& window) {
     if (target.viewports.size() != 1 || size.x == 0) continue; // several: it's meant so
     const std::array<GLint, 4>& viewport = *target.viewports.begin();
     if (viewport == std::array<GLint, 4>{0, 0, size.x, size.y}) continue;
-    find(say("the viewport is {} x {} pixels, but {} is {} x {}. {}", viewport[2], viewport[3],
-             nameOf(framebuffer), size.x, size.y,
-             words("Is glViewport called after binding what is drawn into, and with its size? Or "
-                   "has that a wrong size?")) +
+    const bool isMoved = viewport[2] == size.x && viewport[3] == size.y;
+    find((isMoved ? say("the viewport of {} begins at ({}, {}). {}", nameOf(framebuffer), viewport[0],
+                        viewport[1], words("It should begin at (0, 0)"))
+                  : say("the viewport is {} x {} pixels, but {} is {} x {}. {}", viewport[2],
+                        viewport[3], nameOf(framebuffer), size.x, size.y,
+                        words("Is glViewport called after binding what is drawn into, and with its "
+                              "size? Or has that a wrong size?"))) +
          target.viewportPlace);
   }
 }

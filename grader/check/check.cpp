@@ -234,7 +234,7 @@ private:
       if ((checked_.cause.empty() || observed_.isSure) && begun_.count(observed_.todo)) {
         suspect.todo = observed_.todo;
         suspect.isGuess = !observed_.isSure;
-      } else {
+      } else if (!checked_.cause.empty()) {
         suspect.others = others_;
       }
       suspect.isExplained = !checked_.cause.empty() || !observed_.faults.empty() ||
@@ -410,8 +410,10 @@ private:
   bool isWrongBefore(const Fault& fault, std::size_t scene) const {
     const SceneViews& should = expected_.steps[step_][scene];
     const auto first = diagnosis::firstWrong({*shown_[scene]}, {should});
-    if (!first || !first->slot || first->missing) return false;
+    if (!first || !first->slot) return false;
     const SceneViews theirs = viewsOf(expected_, numberOf(fault), scene);
+    if (first->missing) // or is another one meant for it?
+      return theirs.find(*first->slot) && ownPasses(expected_, *shown_[scene], scene).empty();
     const diagnosis::PassView* pass = theirs.find(*first->slot);
     return pass && first->share > kAnotherWay &&
            diagnosis::alike(&pass->picture, &should.find(*first->slot)->picture);
@@ -561,8 +563,10 @@ private:
     }
     // Beside a puzzle it stays among the messages, told at once.
     if (!checked_.isPuzzle) found.insert(found.end(), said.begin(), said.end());
-    if (!change_.empty() && found.empty()) found.push_back(change_);
-    if (!resemblance_.empty() && checked_.cause.empty()) found.push_back(resemblance_);
+    if (found.empty()) { // what may be is no help beside what is
+      if (!change_.empty()) found.push_back(change_);
+      if (!resemblance_.empty()) found.push_back(resemblance_);
+    }
     if (found.empty()) return;
     checked_.cause = capitalized(found.front());
     checked_.hint.clear();

@@ -58,8 +58,9 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
     if (expected.samplers[0].count(sampler)) continue;
     const auto found = sampled.find(sampler);
     if (found == sampled.end())
-      faults.push_back({sampler, say("The sampler {} reads no texture: does its shader use it, and "
-                                     "is one bound to the texture unit that it is set to?",
+      faults.push_back({sampler, say("The sampler {} reads no texture: does its shader use it, is "
+                                     "one bound to the texture unit that it is set to, and has "
+                                     "that one storage (glTexImage2D)?",
                                      sampler)});
     else if (found->second.isDepth != wanted.isDepth)
       faults.push_back(
@@ -100,6 +101,7 @@ constexpr std::string_view kViewport =
     "size?";
 
 constexpr std::string_view kPlaced[] = {
+    "It should begin at (0, 0)",
     "is incomplete: its filter wants mipmaps, and it has none. Set GL_TEXTURE_MIN_FILTER to "
     "GL_NEAREST or GL_LINEAR",
     "is incomplete: it holds whole numbers, which can't be filtered. Set both filters to "

@@ -154,6 +154,13 @@ public:
     return !diagnosis::alike(ofStep(k, cells_[cell]), ofStep(k - 1, cells_[cell]));
   }
 
+  /// Does step k change a picture of the cell's scene that isn't as after step `should`?
+  bool changesAnyWrong(std::size_t cell, std::size_t k, std::size_t should) const {
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (cells_[c].scene == cells_[cell].scene && !same(c, should) && isChanged(c, k)) return true;
+    return false;
+  }
+
   /// Does step k change most of the pixels that aren't as after step `should`?
   bool changesWhatIsWrong(std::size_t cell, std::size_t k, std::size_t should) const {
     const Shares shares = sharesOf(cell, k, should);
@@ -338,12 +345,17 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     const bool inWindows = std::ranges::find(windows, should) == windows.end();
     const bool isDrawn = wrong && judging.isDrawn(*wrong);
     culprit->state = inWindows || suspect.isExplained || !isDrawn ? State::wrong : State::differs;
-    // Those that draw what is wrong, and of which nothing else is right.
+    // Those that draw what is wrong, and that nothing else shows to be right: what the handed-out
+    // scenes show tells nothing of another one.
+    const bool isAnother = wrong && judging.isAnother(*wrong);
     std::set<std::string> drawing;
-    for (std::size_t k = 1; wrong && k <= std::min(should, gap); ++k)
-      if ((all[k - 1].state == State::waits && judging.isChanged(*wrong, k)) ||
-          (begun.count(all[k - 1].todo) && judging.changesWhatIsWrong(*wrong, k, should)))
-        drawing.insert(all[k - 1].todo);
+    for (std::size_t k = 1; wrong && k <= std::min(should, gap); ++k) {
+      const Row& row = all[k - 1];
+      if ((isAnother ? judging.changesAnyWrong(*wrong, k, should)
+                     : row.state == State::waits && judging.isChanged(*wrong, k)) ||
+          judging.changesWhatIsWrong(*wrong, k, should))
+        drawing.insert(row.todo);
+    }
     // What comes before it and isn't seen is not what is wrong.
     for (Row& row : all)
       if (&row < culprit && row.state == State::waits) row.state = State::done;
@@ -351,7 +363,7 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     const auto at = std::size_t(culprit - all.data()) + 1;
     const bool isLast = isLastOfUnfinished(at);
     const bool isDoubtful = (inWindows || suspect.isGuess) && !isKnown &&
-                            (!isLast || suspect.isLater || (wrong && judging.isAnother(*wrong)));
+                            (!isLast || suspect.isLater || isAnother);
     if (culprit->state == State::wrong && isNamed && !suspect.others.empty()) {
       for (Row& row : all)
         if (&row == culprit || (suspect.others.count(row.todo) && row.state != State::notBegun))

@@ -230,6 +230,18 @@ TEST_P(Doctor, AViewportThatDoesNotFit) {
             ResultOf(lines, 1)));
 }
 
+TEST_P(Doctor, AViewportThatIsMoved) {
+  EXPECT_THAT(frame([&](gg::Window&) {
+                const gg::Program red = triangle();
+                red.use();
+                glViewport(1, 0, 32, 32);
+                clear();
+                draw();
+              }),
+              StartsWith("frame doctor: the viewport of the window begins at (1, 0). It should "
+                         "begin at (0, 0) (framework_doctor_test.cpp:"));
+}
+
 TEST_P(Doctor, TheWindowsViewportIsForgotten) {
   int line = 0;
   const std::string printed = frame([&](gg::Window&) {
