@@ -371,8 +371,8 @@ void checkViewports(const glm::ivec2& window) {
     const std::array<GLint, 4>& viewport = *target.viewports.begin();
     if (viewport == std::array<GLint, 4>{0, 0, size.x, size.y}) continue;
     const bool isMoved = viewport[2] == size.x && viewport[3] == size.y;
-    find((isMoved ? say("the viewport of {} begins at ({}, {}). {}", nameOf(framebuffer), viewport[0],
-                        viewport[1], words("It should begin at (0, 0)"))
+    find((isMoved ? say("the viewport of {} begins at ({}, {}). {}", nameOf(framebuffer),
+                        viewport[0], viewport[1], words("It should begin at (0, 0)"))
                   : say("the viewport is {} x {} pixels, but {} is {} x {}. {}", viewport[2],
                         viewport[3], nameOf(framebuffer), size.x, size.y,
                         words("Is glViewport called after binding what is drawn into, and with its "
@@ -444,7 +444,7 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
   } else if (!watch.foundSomething && isOneColor(windowPicture(window))) {
     find(say(
         "{}, though something was drawn there: it lies out of view (gl_Position is projection * "
-        "view * model * position), is culled or hidden, or has the background's colour",
+        "view * model * position), is culled or hidden, or has that one colour itself",
         words("all pixels of the window have one colour")));
     for (const std::string& text : watch.perhaps) tell(say("perhaps: {}", text));
   }

@@ -2,6 +2,7 @@
 
 #include "check/begun.hpp"
 #include "check/build.hpp"
+#include "check/known.hpp"
 #include "check/observed.hpp"
 #include "diagnosis/generic.hpp"
 #include "diagnosis/outcome.hpp"
@@ -29,9 +30,6 @@ namespace {
 /// So many mistakes that show the same are named; more are no help.
 constexpr std::size_t kMostCauses = 6;
 
-/// A pass of which less differs may be right in another way, such as with another filter.
-constexpr double kAnotherWay = 0.02;
-
 /// What is said once is enough.
 std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
   std::vector<std::string> lines;
@@ -54,23 +52,6 @@ std::string capitalized(std::string text) {
   if (isWord && !text.empty() && gg::language() == gg::Language::english)
     text[0] = char(std::toupper(static_cast<unsigned char>(text[0])));
   return text;
-}
-
-bool sameWindows(const SceneViews& a, const SceneViews& b) {
-  return std::ranges::equal(a.windows, b.windows, [](const Image& one, const Image& two) {
-    return diagnosis::alike(&one, &two);
-  });
-}
-
-/// Are all pictures of one scene the same?
-bool showsTheSame(const SceneViews& a, const SceneViews& b) {
-  return a.passes.size() == b.passes.size() &&
-         std::ranges::all_of(a.passes,
-                             [&](const diagnosis::PassView& pass) {
-                               const diagnosis::PassView* other = b.find(pass.slot);
-                               return other && diagnosis::alike(&pass.picture, &other->picture);
-                             }) &&
-         sameWindows(a, b);
 }
 
 /// One look, step by step.
@@ -354,25 +335,19 @@ private:
                      time, scene.times.front());
   }
 
-  bool isWindowRight(std::size_t scene) const {
-    return sameWindows(*shown_[scene], expected_.steps[step_][scene]);
-  }
-
   /// Names the known mistakes that show the same in one scene, in `cause` and `hint`: ones made
   /// just now, else ones in the finished program (whose window may be like an unfinished one's
   /// that is right); in `resemblance_`, what is only like one. Returns the TODO of the first;
   /// empty: none is known. Those of the others go into `others_`.
   std::string likeliest(std::size_t scene) {
     others_.clear();
-    std::vector<const Fault*> faults = showingTheSame(scene, step_);
-    if (faults.empty() && step_ < expected_.todos.size() && !isWindowRight(scene))
-      faults = showingTheSame(scene, expected_.todos.size());
+    const KnownMistakes known(expected_, shown_, begun_, step_);
+    const std::vector<const Fault*> faults = known.like(scene);
     if (faults.empty() || faults.size() > kMostCauses) return {};
     if (faults.size() == 1) {
       checked_.cause = words(faults[0]->title);
       checked_.hint = words(faults[0]->hint);
-      if (!showsTheSame(viewsOf(expected_, numberOf(*faults[0]), scene), *shown_[scene]))
-        doubtCatalogue();
+      if (!known.isExactly(*faults[0], scene)) doubtCatalogue();
     } else {
       checked_.cause =
           say("it may be one of these {} mistakes, which look alike so far", faults.size());
@@ -402,105 +377,6 @@ private:
     checked_.titles.clear();
   }
 
-  std::size_t numberOf(const Fault& fault) const {
-    return std::size_t(&fault - expected_.faults.data());
-  }
-
-  /// Is the first wrong picture of the program one that this mistake leaves right?
-  bool isWrongBefore(const Fault& fault, std::size_t scene) const {
-    const SceneViews& should = expected_.steps[step_][scene];
-    const auto first = diagnosis::firstWrong({*shown_[scene]}, {should});
-    if (!first || !first->slot) return false;
-    const SceneViews theirs = viewsOf(expected_, numberOf(fault), scene);
-    if (first->missing) // or is another one meant for it?
-      return theirs.find(*first->slot) && ownPasses(expected_, *shown_[scene], scene).empty();
-    const diagnosis::PassView* pass = theirs.find(*first->slot);
-    return pass && first->share > kAnotherWay &&
-           diagnosis::alike(&pass->picture, &should.find(*first->slot)->picture);
-  }
-
-  /// Is the program wrong in all scenes in which this mistake is seen, and this mistake seen in the
-  /// first of those in which the program is wrong? Two may look alike where nothing is drawn any
-  /// more.
-  bool isWrongWhere(const Fault& fault) const {
-    const std::size_t number = numberOf(fault);
-    bool isFirst = true;
-    for (const std::size_t scene : fault.scenes) {
-      if (!shown_[scene]) continue;
-      const bool isSeen = diagnosis::firstWrong({viewsOf(expected_, number, scene)},
-                                                {expected_.steps[fault.step][scene]})
-                              .has_value();
-      const bool isWrong =
-          diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]}).has_value();
-      if (isSeen && !isWrong) return false;
-      if (isWrong && isFirst && !isSeen) return false;
-      isFirst = isFirst && !isWrong;
-    }
-    return true;
-  }
-
-  /// The mistakes that show the same as the program, in one scene, among those in a program that
-  /// has done so many TODOs: of those that are begun the ones that show last.
-  std::vector<const Fault*> showingTheSame(std::size_t scene, std::size_t step) const {
-    diagnosis::KnownFaults known;
-    known.reference = {expected_.steps[step][scene]};
-    std::vector<const Fault*> faults;
-    const std::vector<diagnosis::Slot> own = ownPasses(expected_, *shown_[scene], scene);
-    for (std::size_t i = 0; i < expected_.faults.size(); ++i) {
-      const Fault& fault = expected_.faults[i];
-      if (fault.step != step || !fault.scenes.count(scene)) continue;
-      const SceneViews views = viewsOf(expected_, i, scene);
-      // One that lacks a pass of its own lacks another one for another reason.
-      if (!std::ranges::all_of(own, [&](const auto& slot) { return views.find(slot); })) continue;
-      faults.push_back(&fault);
-      known.signatures.push_back(fault.signature);
-      known.signatures.back().run = {views};
-    }
-    for (std::size_t k = 0; k < expected_.steps.size(); ++k)
-      known.signatures.push_back(
-          {fmt::format("step-{}", k), "", {expected_.steps[k][scene]}, true});
-    const auto found = known.identify({*shown_[scene]});
-    if (!found) return {};
-    std::vector<std::size_t> alike = found->alike;
-    alike.insert(alike.begin(), found->signature);
-    // What shows the very same goes before what is only like it.
-    const auto isExact = [&](std::size_t i) {
-      return i < faults.size() && showsTheSame(known.signatures[i].run[0], *shown_[scene]);
-    };
-    if (std::ranges::any_of(alike, isExact))
-      std::erase_if(alike, [&](std::size_t i) { return !isExact(i); });
-    std::vector<const Fault*> same;
-    for (const std::size_t i : alike) {
-      // An unfinished program is no mistake, unless somebody has done that step already.
-      if (i >= faults.size() && step != step_) return {};
-      if (i < faults.size() && begun_.count(faults[i]->todo) && isWrongWhere(*faults[i]) &&
-          !isWrongBefore(*faults[i], scene))
-        same.push_back(faults[i]);
-    }
-    // What showed after an earlier step was looked at then.
-    const auto firstShown = [&](const Fault* fault) {
-      std::size_t first = fault->step;
-      for (const Fault& other : expected_.faults)
-        if (other.signature.group == fault->signature.group) first = std::min(first, other.step);
-      return first;
-    };
-    std::size_t latest = 0;
-    for (const Fault* fault : same) latest = std::max(latest, firstShown(fault));
-    std::erase_if(same, [&](const Fault* fault) { return firstShown(fault) != latest; });
-    // Of those that nothing tells apart, the latest step is the likelier one.
-    std::ranges::stable_sort(same, std::ranges::greater(), [&](const Fault* fault) {
-      return std::ranges::find(expected_.todos, fault->todo) - expected_.todos.begin();
-    });
-    // Two of one group are one mistake.
-    for (std::size_t i = 0; i < same.size(); ++i)
-      same.erase(std::remove_if(same.begin() + std::ptrdiff_t(i) + 1, same.end(),
-                                [&](const Fault* other) {
-                                  return other->signature.group == same[i]->signature.group;
-                                }),
-                 same.end());
-    return same;
-  }
-
   /// `first.scene` is one of `Expected::scenes`.
   void describe(const diagnosis::FirstWrong& first) {
     Wrong wrong;
@@ -511,9 +387,16 @@ private:
     wrong.another = expected_.scenes[first.scene].another;
     wrong.share = first.share;
     wrong.isMissing = first.missing;
-    if (first.missing && first.slot->mesh)
-      change_ = say("No object is drawn into a texture: is anything drawn while its framebuffer "
-                    "object is bound?");
+    // Where another texture is drawn into it may be an attachment that is missing.
+    if (first.missing && first.slot->mesh &&
+        std::ranges::none_of(shown_[first.scene]->passes, [&](const diagnosis::PassView& pass) {
+          return pass.slot.mesh && pass.slot.depth == first.slot->depth;
+        }))
+      change_ = first.slot->depth
+                    ? say("No object is drawn into a depth texture: is anything drawn "
+                          "while its framebuffer object is bound?")
+                    : say("No object is drawn into a texture of colours: is anything "
+                          "drawn while its framebuffer object is bound?");
     const Image* ours = pictureOf(*shown_[first.scene], first);
     const Image* expected = pictureOf(expected_.steps[step_][first.scene], first);
     if (ours) wrong.ours = *ours;

@@ -362,8 +362,8 @@ std::vector<Row> rows(const Expected& expected, const Shown& shown,
     // Pictures alone don't tell which of several it is, unless the others were looked at before.
     const auto at = std::size_t(culprit - all.data()) + 1;
     const bool isLast = isLastOfUnfinished(at);
-    const bool isDoubtful = (inWindows || suspect.isGuess) && !isKnown &&
-                            (!isLast || suspect.isLater || isAnother);
+    const bool isDoubtful =
+        (inWindows || suspect.isGuess) && !isKnown && (!isLast || suspect.isLater || isAnother);
     if (culprit->state == State::wrong && isNamed && !suspect.others.empty()) {
       for (Row& row : all)
         if (&row == culprit || (suspect.others.count(row.todo) && row.state != State::notBegun))

@@ -1,0 +1,39 @@
+#pragma once
+/// \file
+/// The mistakes of the catalogue that show the same as a student's program.
+
+#include "check/rows.hpp"
+
+namespace ggrade::check {
+
+/// The catalogue held against one program. Keeps references to all that it is given.
+class KnownMistakes {
+public:
+  /// \param begun TODOs that were begun
+  /// \param step how many TODOs the program should have done
+  KnownMistakes(const Expected& expected, const Shown& shown, const std::set<std::string>& begun,
+                std::size_t step)
+      : expected_(expected), shown_(shown), begun_(begun), step_(step) {}
+
+  /// Those that show the same in one scene, or, where none does, are like it: of ones made just
+  /// now, else of ones in the finished program (whose window may be like an unfinished one's that
+  /// is right). The latest step's come first; of those of one group there is one.
+  std::vector<const Fault*> like(std::size_t scene) const;
+
+  /// Does this one show the very same in that scene?
+  bool isExactly(const Fault& fault, std::size_t scene) const;
+
+private:
+  std::vector<const Fault*> like(std::size_t scene, std::size_t step) const;
+  diagnosis::SceneViews viewsOf(const Fault& fault, std::size_t scene) const;
+  bool isWrongBefore(const Fault& fault, std::size_t scene) const;
+  bool isWrongWhere(const Fault& fault) const;
+  void keepLatest(std::vector<const Fault*>& faults) const;
+
+  const Expected& expected_;
+  const Shown& shown_;
+  const std::set<std::string>& begun_;
+  std::size_t step_;
+};
+
+} // namespace ggrade::check
