@@ -154,6 +154,16 @@ public:
     return !diagnosis::alike(ofStep(k, cells_[cell]), ofStep(k - 1, cells_[cell]));
   }
 
+  /// Is it known of step k's own pictures only that they are right but for their brightness, which
+  /// the window shows?
+  bool isKnownInPart(std::size_t k, std::size_t cell) const {
+    if (cells_[cell].slot) return false;
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (cells_[c].slot && !cells_[c].slot->mesh && cells_[c].slot->octave > 0 && isChanged(c, k))
+        return true;
+    return false;
+  }
+
   /// Does step k change a picture of the cell's scene that isn't as after step `should`?
   bool changesAnyWrong(std::size_t cell, std::size_t k, std::size_t should) const {
     for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -211,6 +221,183 @@ private:
   std::vector<bool> same_; ///< by cell and step
 };
 
+/// Goes from what is right to what may be wrong.
+class Blaming {
+public:
+  Blaming(const Expected& expected, const Shown& shown, const std::set<std::string>& begun,
+          const Suspect& suspect)
+      : expected_(expected), begun_(begun), suspect_(suspect), judging_(expected, shown),
+        should_(expectedStep(expected, begun)), windows_(judging_.withTheseWindows()),
+        wrong_(judging_.firstWrong(should_)) {}
+
+  std::vector<Row> run() {
+    judgeEach();
+    if (windows_.empty() && judging_.isFinishedInAnotherWay()) {
+      allBegunAreDone();
+      return all_;
+    }
+    // What comes after a step that somebody has left out lacks that step, so nothing tells what
+    // else it lacks.
+    gap_ = std::size_t(
+               std::ranges::find_if(
+                   all_, [](const Row& row) { return row.state == State::notBegun && row.seen; }) -
+               all_.begin()) +
+           1;
+    if (Row* culprit = culpritOf()) blame(*culprit);
+    return all_;
+  }
+
+private:
+  bool isBegun(const Row& row) const { return begun_.count(row.todo) > 0; }
+  /// Of an unfinished program the last step was not looked at before.
+  bool isLastOfUnfinished(std::size_t k) const {
+    return k == should_ && should_ + 1 < judging_.steps();
+  }
+  void allBegunAreDone() {
+    for (Row& row : all_)
+      if (isBegun(row)) row.state = State::done;
+  }
+
+  /// What is done or not begun; the rest waits.
+  void judgeEach() {
+    for (std::size_t k = 1; k < judging_.steps(); ++k) {
+      const std::optional<std::size_t> changed = judging_.firstChanged(k);
+      const std::optional<std::size_t> unlike = judging_.firstUnlike(k, should_);
+      first_.push_back(unlike ? unlike : changed);
+      Row row{expected_.todos[k - 1], State::notBegun, changed.has_value()};
+      if (!windows_.empty() && k <= windows_.front())
+        row.state = isBegun(row) || row.seen ? State::done : State::notBegun;
+      else if (isBegun(row) && ((changed && !unlike) || (!row.seen && !windows_.empty())))
+        row.state = State::done;
+      else if (isBegun(row))
+        row.state = State::waits;
+      all_.push_back(row);
+    }
+  }
+
+  /// Of those that aren't right one is to be mended first: the suspect; else, of those that change
+  /// the earliest wrong picture, the one that changes what is wrong in it, or the last one.
+  Row* culpritOf() {
+    Row* culprit = nullptr;
+    std::size_t earliest = 0;
+    double most = -1;
+    for (std::size_t k = 1; k < judging_.steps(); ++k) {
+      Row& row = all_[k - 1];
+      if (row.todo == suspect_.todo && row.state != State::notBegun &&
+          (suspect_.isExplained || windows_.empty()) && (k <= gap_ || suspect_.isSure))
+        return &row;
+      if (row.state != State::waits || k > gap_ || !first_[k]) continue;
+      const double overlap = isLastOfUnfinished(k) ? 1 : judging_.overlap(*first_[k], k, should_);
+      if (!culprit || *first_[k] < earliest || (*first_[k] == earliest && overlap > most)) {
+        culprit = &row;
+        earliest = *first_[k];
+        most = overlap;
+      }
+    }
+    // What each one changes first may be right, and the earliest wrong picture comes before it.
+    // Then it is the one that changes what is wrong in that, or the last one.
+    if (windows_.empty() && gap_ > should_ && (!culprit || (wrong_ && *wrong_ < earliest))) {
+      most = culprit ? kOwn : -1;
+      for (std::size_t k = 1; k < judging_.steps(); ++k) {
+        Row& row = all_[k - 1];
+        if (row.state != State::waits && row.state != State::done) continue;
+        const bool isLast = isLastOfUnfinished(k) && row.state == State::waits;
+        const double overlap = isLast ? 1 : wrong_ ? judging_.overlap(*wrong_, k, should_) : 0;
+        if (overlap < most) continue;
+        culprit = &row;
+        most = overlap;
+      }
+    }
+    // Where a step was left out, and nothing else is known, the last one before it.
+    if (!culprit && windows_.empty() && gap_ <= should_)
+      for (std::size_t k = 1; k < gap_; ++k)
+        if (isBegun(all_[k - 1])) culprit = &all_[k - 1];
+    return culprit;
+  }
+
+  /// Those that draw what is wrong, and that nothing else shows to be right.
+  std::set<std::string> drawing() const {
+    std::set<std::string> todos;
+    for (std::size_t k = 1; wrong_ && k <= std::min(should_, gap_); ++k) {
+      const Row& row = all_[k - 1];
+      // What the handed-out scenes show tells nothing of another one.
+      if ((judging_.isAnother(*wrong_)
+               ? judging_.changesAnyWrong(*wrong_, k, should_)
+               : row.state == State::waits && judging_.isChanged(*wrong_, k)) ||
+          judging_.changesWhatIsWrong(*wrong_, k, should_) || judging_.isKnownInPart(k, *wrong_))
+        todos.insert(row.todo);
+    }
+    return todos;
+  }
+
+  void blame(Row& culprit) {
+    const std::set<std::string> drawing = this->drawing();
+    std::set<std::string> waiting;
+    for (const Row& row : all_)
+      if (row.state == State::waits) waiting.insert(row.todo);
+    const bool isAnother = wrong_ && judging_.isAnother(*wrong_);
+    if (windows_.empty() && !suspect_.isExplained && gap_ <= should_ &&
+        judging_.isNearly(gap_ - 1)) {
+      for (std::size_t k = 1; k < gap_; ++k)
+        if (isBegun(all_[k - 1])) all_[k - 1].state = State::done;
+      culprit.state = State::nearly;
+      return;
+    }
+    if (windows_.empty() && !suspect_.isExplained && judging_.isNearly(should_)) {
+      allBegunAreDone();
+      // It lies in this step or in one before, see `noteOf`.
+      Row* last = &culprit;
+      for (Row& row : all_)
+        if (isAnother && drawing.count(row.todo)) last = &row;
+      last->state = State::nearly;
+      return;
+    }
+    const bool inWindows = std::ranges::find(windows_, should_) == windows_.end();
+    const bool isDrawn = wrong_ && judging_.isDrawn(*wrong_);
+    culprit.state = inWindows || suspect_.isExplained || !isDrawn ? State::wrong : State::differs;
+    // What comes before it and isn't seen is not what is wrong.
+    for (Row& row : all_)
+      if (&row < &culprit && row.state == State::waits) row.state = State::done;
+    if (culprit.state == State::wrong) doubt(culprit, drawing, waiting, inWindows);
+  }
+
+  /// Pictures alone don't tell which of several it is, unless the others were looked at before.
+  ///   drawing: what is wrong;  waiting: of these no picture is right
+  void doubt(Row& culprit, const std::set<std::string>& drawing,
+             const std::set<std::string>& waiting, bool inWindows) {
+    const bool isAnother = wrong_ && judging_.isAnother(*wrong_);
+    const bool isNamed = culprit.todo == suspect_.todo;
+    const bool isLast = isLastOfUnfinished(std::size_t(&culprit - all_.data()) + 1);
+    const auto mayBe = [&](const std::set<std::string>& todos) {
+      for (Row& row : all_)
+        if (&row == &culprit || (row.state != State::notBegun && todos.count(row.todo)))
+          row.state = State::maybe;
+    };
+    if (isNamed && !suspect_.others.empty()) return mayBe(suspect_.others);
+    if (!wrong_ || (isNamed && !suspect_.isGuess) || !(inWindows || suspect_.isGuess) ||
+        (isLast && !suspect_.isLater && !isAnother))
+      return;
+    mayBe(suspect_.isLater ? begun_ : drawing);
+    mayBe({suspect_.todo});
+    // Of what they stand on nothing may have been seen before.
+    for (std::size_t k = should_; k > 1; --k)
+      if (all_[k - 1].state == State::maybe && waiting.count(all_[k - 1].todo) &&
+          !all_[k - 2].seen && isBegun(all_[k - 2]))
+        all_[k - 2].state = State::maybe;
+  }
+
+  const Expected& expected_;
+  const std::set<std::string>& begun_;
+  const Suspect& suspect_;
+  Judging judging_;
+  std::size_t should_;               ///< steps that the program should have done
+  std::vector<std::size_t> windows_; ///< steps after which all windows are the program's
+  std::optional<std::size_t> wrong_; ///< the first picture that isn't as it should be
+  std::size_t gap_ = 0;              ///< the first step that was left out
+  std::vector<Row> all_;
+  std::vector<std::optional<std::size_t>> first_{std::nullopt}; ///< wrong picture, of each step
+};
+
 } // namespace
 
 bool allRight(const std::vector<Row>& rows) {
@@ -251,136 +438,7 @@ std::size_t expectedStep(const Expected& expected, const std::set<std::string>& 
 
 std::vector<Row> rows(const Expected& expected, const Shown& shown,
                       const std::set<std::string>& begun, const Suspect& suspect) {
-  const Judging judging(expected, shown);
-  const std::vector<std::size_t> windows = judging.withTheseWindows();
-  const std::size_t should = expectedStep(expected, begun);
-  std::vector<Row> all;
-  std::vector<std::optional<std::size_t>> first{std::nullopt}; // wrong picture, of each step
-  for (std::size_t k = 1; k < judging.steps(); ++k) {
-    const std::optional<std::size_t> changed = judging.firstChanged(k);
-    const std::optional<std::size_t> unlike = judging.firstUnlike(k, should);
-    first.push_back(unlike ? unlike : changed);
-    Row row{expected.todos[k - 1], State::notBegun, changed.has_value()};
-    const bool isBegun = begun.count(row.todo) > 0;
-    if (!windows.empty() && k <= windows.front())
-      row.state = isBegun || row.seen ? State::done : State::notBegun;
-    else if (isBegun && ((changed && !unlike) || (!row.seen && !windows.empty())))
-      row.state = State::done;
-    else if (isBegun)
-      row.state = State::waits;
-    all.push_back(row);
-  }
-  const auto allBegunAreDone = [&] {
-    for (Row& row : all)
-      if (begun.count(row.todo)) row.state = State::done;
-  };
-  if (windows.empty() && judging.isFinishedInAnotherWay()) {
-    allBegunAreDone();
-    return all;
-  }
-  const auto isLastOfUnfinished = [&](std::size_t k) {
-    return k == should && should + 1 < judging.steps();
-  };
-  // What comes after a step that somebody has left out lacks that step, so nothing tells what else
-  // it lacks.
-  const std::size_t gap =
-      std::size_t(
-          std::ranges::find_if(
-              all, [](const Row& row) { return row.state == State::notBegun && row.seen; }) -
-          all.begin()) +
-      1;
-  // Of those that aren't right one is to be mended first: the suspect; else, of those that
-  // change the earliest wrong picture, the one that changes what is wrong in it, or the last one.
-  Row* culprit = nullptr;
-  std::size_t earliest = 0;
-  double most = -1;
-  for (std::size_t k = 1; k < judging.steps(); ++k) {
-    Row& row = all[k - 1];
-    if (row.todo == suspect.todo && row.state != State::notBegun &&
-        (suspect.isExplained || windows.empty()) && (k <= gap || suspect.isSure)) {
-      culprit = &row;
-      break;
-    }
-    if (row.state != State::waits) continue;
-    if (k > gap || !first[k]) continue;
-    // Of an unfinished program the last step was not looked at before.
-    const bool isLast = isLastOfUnfinished(k);
-    const double overlap = isLast ? 1 : judging.overlap(*first[k], k, should);
-    if (!culprit || *first[k] < earliest || (*first[k] == earliest && overlap > most)) {
-      culprit = &row;
-      earliest = *first[k];
-      most = overlap;
-    }
-  }
-  // What each one changes first may be right, and the earliest wrong picture comes before it. Then
-  // it is the one that changes what is wrong in that, or the last one.
-  const std::optional<std::size_t> wrong = judging.firstWrong(should);
-  const bool isNamed = culprit && culprit->todo == suspect.todo;
-  const bool isKnown = isNamed && !suspect.isGuess;
-  if (windows.empty() && gap > should && !isNamed && (!culprit || (wrong && *wrong < earliest))) {
-    most = culprit ? kOwn : -1;
-    for (std::size_t k = 1; k < judging.steps(); ++k) {
-      Row& row = all[k - 1];
-      if (row.state != State::waits && row.state != State::done) continue;
-      const bool isLast = isLastOfUnfinished(k) && row.state == State::waits;
-      const double overlap = isLast ? 1 : wrong ? judging.overlap(*wrong, k, should) : 0;
-      if (overlap < most) continue;
-      culprit = &row;
-      most = overlap;
-    }
-  }
-  // Where a step was left out, and nothing else is known, the last one before it.
-  if (!culprit && windows.empty() && gap <= should)
-    for (std::size_t k = 1; k < gap; ++k)
-      if (begun.count(all[k - 1].todo)) culprit = &all[k - 1];
-  if (culprit && windows.empty() && gap <= should && !suspect.isExplained &&
-      judging.isNearly(gap - 1)) {
-    for (std::size_t k = 1; k < gap; ++k)
-      if (begun.count(all[k - 1].todo)) all[k - 1].state = State::done;
-    culprit->state = State::nearly;
-  } else if (culprit && windows.empty() && !suspect.isExplained && judging.isNearly(should)) {
-    allBegunAreDone();
-    culprit->state = State::nearly;
-  } else if (culprit) {
-    const bool inWindows = std::ranges::find(windows, should) == windows.end();
-    const bool isDrawn = wrong && judging.isDrawn(*wrong);
-    culprit->state = inWindows || suspect.isExplained || !isDrawn ? State::wrong : State::differs;
-    // Those that draw what is wrong, and that nothing else shows to be right: what the handed-out
-    // scenes show tells nothing of another one.
-    const bool isAnother = wrong && judging.isAnother(*wrong);
-    std::set<std::string> drawing;
-    for (std::size_t k = 1; wrong && k <= std::min(should, gap); ++k) {
-      const Row& row = all[k - 1];
-      if ((isAnother ? judging.changesAnyWrong(*wrong, k, should)
-                     : row.state == State::waits && judging.isChanged(*wrong, k)) ||
-          judging.changesWhatIsWrong(*wrong, k, should))
-        drawing.insert(row.todo);
-    }
-    // What comes before it and isn't seen is not what is wrong.
-    for (Row& row : all)
-      if (&row < culprit && row.state == State::waits) row.state = State::done;
-    // Pictures alone don't tell which of several it is, unless the others were looked at before.
-    const auto at = std::size_t(culprit - all.data()) + 1;
-    const bool isLast = isLastOfUnfinished(at);
-    const bool isDoubtful =
-        (inWindows || suspect.isGuess) && !isKnown && (!isLast || suspect.isLater || isAnother);
-    if (culprit->state == State::wrong && isNamed && !suspect.others.empty()) {
-      for (Row& row : all)
-        if (&row == culprit || (suspect.others.count(row.todo) && row.state != State::notBegun))
-          row.state = State::maybe;
-    } else if (culprit->state == State::wrong && wrong && isDoubtful) {
-      for (Row& row : all)
-        if (&row != culprit && row.state != State::notBegun &&
-            (row.todo == suspect.todo || suspect.isLater || drawing.count(row.todo)))
-          row.state = State::maybe;
-      culprit->state = State::maybe;
-      // Of what they stand on nothing may have been seen before.
-      for (std::size_t k = should; k > 1; --k)
-        if (all[k - 1].state == State::maybe && !all[k - 2].seen && begun.count(all[k - 2].todo))
-          all[k - 2].state = State::maybe;
-    }
-  }
-  return all;
+  return Blaming(expected, shown, begun, suspect).run();
 }
 
 } // namespace ggrade::check
