@@ -69,8 +69,19 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
       scene.merge_patch(other.at("scene"));
       grading::checkScene(assignment, scene, file.string() + ": others: " + of);
       const double time = other.at("time");
-      scenes.push_back(
-          {fmt::format("another scene for {}", of), scene, {time, time + kNextFrame}, todo, true});
+      const auto also = other.value("also", std::set<std::string>{});
+      for (const std::string& one : also)
+        if (std::ranges::find(part.todos, one, &Todo::id) == part.todos.end() || todo.empty())
+          throw UsageError(fmt::format(
+              "{}: others: {}: also: {}: must be another TODO of part {}, in a scene of a TODO",
+              file.string(), of, one, part.id));
+      scenes.push_back({fmt::format("another scene for {}", of),
+                        scene,
+                        {time, time + kNextFrame},
+                        todo,
+                        true,
+                        0,
+                        also});
     }
   };
   addOthers(part.id, "", grading::partScene(assignment, {part.id}));

@@ -227,7 +227,13 @@ private:
       }
     } else if (first) {
       suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one
-      suspect.isGuess = true;                             // and shows those before it, too
+      suspect.others = expected_.scenes[first->scene].also;
+      suspect.isGuess = true;
+      if (begun_.count(observed_.todo)) { // of the public scene, which hardly shows it
+        suspect.todo = observed_.todo;
+        suspect.others.clear();
+        suspect.isExplained = true;
+      }
       checked_.cause =
           isWrongLater(*first)
               ? say("Each first frame is right, and the one after it isn't: is something that a "

@@ -98,7 +98,8 @@ void save(const Expected& expected, const fs::path& folder) {
                       {"times", scene.times},
                       {"todo", scene.todo},
                       {"another", scene.another},
-                      {"most_vertices", scene.mostVertices}});
+                      {"most_vertices", scene.mostVertices},
+                      {"also", scene.also}});
   for (const Fault& fault : expected.faults)
     faults.push_back({{"title", fault.title},
                       {"hint", fault.hint},
@@ -143,7 +144,7 @@ Expected load(const fs::path& folder) {
     for (const json& scene : all.at("scenes"))
       expected.scenes.push_back({scene.at("name"), scene.at("scene"),
                                  scene.at("times").get<std::vector<double>>(), scene.at("todo"),
-                                 scene.at("another"), scene.at("most_vertices")});
+                                 scene.at("another"), scene.at("most_vertices"), scene.at("also")});
     const std::size_t scenes = expected.scenes.size();
     expected.reference = loadRun(scenes, nullptr, folder, "reference");
     for (std::size_t k = 0; k <= expected.todos.size(); ++k)

@@ -27,6 +27,8 @@ struct Scene {
   bool another = false;
   /// That a finished program may draw in the first frame; 0: any number.
   std::uint64_t mostVertices = 0;
+  /// Of one that is there for a TODO, others whose mistakes show in it alone.
+  std::set<std::string> also = {};
 };
 
 /// A mistake that is known by what it shows in a program that has come to some step.

@@ -331,11 +331,13 @@ private:
   }
 
   void blame(Row& culprit) {
-    const std::set<std::string> drawing = this->drawing();
+    const bool isNamed = culprit.todo == suspect_.todo;
+    const bool isAnother = wrong_ && judging_.isAnother(*wrong_);
+    // A scene that is there for a TODO shows that, and those that it names.
+    const std::set<std::string> drawing = isNamed && isAnother ? suspect_.others : this->drawing();
     std::set<std::string> waiting;
     for (const Row& row : all_)
       if (row.state == State::waits) waiting.insert(row.todo);
-    const bool isAnother = wrong_ && judging_.isAnother(*wrong_);
     if (windows_.empty() && !suspect_.isExplained && gap_ <= should_ &&
         judging_.isNearly(gap_ - 1)) {
       for (std::size_t k = 1; k < gap_; ++k)
@@ -348,7 +350,7 @@ private:
       // It lies in this step or in one before, see `noteOf`.
       Row* last = &culprit;
       for (Row& row : all_)
-        if (isAnother && drawing.count(row.todo)) last = &row;
+        if (isAnother && isBegun(row) && drawing.count(row.todo)) last = std::max(last, &row);
       last->state = State::nearly;
       return;
     }
