@@ -159,7 +159,7 @@ void app(const gg::Scene& scene) {
       //   Goal:   the stencil holds ways out less ways in that lie behind each pixel's surface, and
       //           neither the near nor the far plane cuts a volume off, until it is drawn.
       //   Expect: right also with the eye in a shadow.           (README.md, step 5)
-      // Then TODO(shadow_volume.3) draws.
+      // Then TODO(shadow_volume.3) draws, and puts all state back. It sets it above step 5.
     }
     glStencilMask(0xff);
 

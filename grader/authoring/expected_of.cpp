@@ -1,6 +1,7 @@
 #include "authoring/expected_of.hpp"
 
 #include "authoring/derive.hpp"
+#include "authoring/solution_blocks.hpp"
 #include "check/expected.hpp"
 #include "diagnosis/outcome.hpp"
 #include "grading/catalogue.hpp"
@@ -144,6 +145,23 @@ std::string textOf(const Assignment& assignment, const grading::Recipe& recipe) 
   return text;
 }
 
+/// The TODOs in whose blocks a patch changes anything.
+std::set<std::string> changedBy(const Source& source, const fs::path& patch) {
+  const grading::TemporaryFolder folder;
+  grading::writeFiles(source.assignment, {source.solutions, {patch}}, folder.path());
+  std::set<std::string> todos;
+  for (const std::string& file : source.assignment.files) {
+    const auto texts = [&](const fs::path& of) {
+      return authoring::blocksByTodo(readFile(of / file), (of / file).string());
+    };
+    const auto right = texts(source.solutions), wrong = texts(folder.path());
+    for (const auto& [todo, text] : right)
+      if (const auto found = wrong.find(todo); found == wrong.end() || found->second != text)
+        todos.insert(todo);
+  }
+  return todos;
+}
+
 /// Of mistakes in an unfinished program those that are there already. One that is larger than
 /// another and of which no more is there is left out: the other one is likelier.
 std::vector<const grading::Mistake*> thereAlready(const Source& source,
@@ -180,6 +198,9 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
       grading::loadCatalogue(source.assignment, part, source.solutions, source.solutions);
   std::vector<check::Fault> faults;
   std::set<std::string> shown; // in an unfinished program
+  std::map<std::string, std::set<std::string>> changed;
+  for (const grading::Mistake& mistake : catalogue.mistakes)
+    changed[mistake.name] = changedBy(source, mistake.patch);
   for (std::size_t k = 1; k < filled.size(); ++k) {
     const bool finished = k + 1 == filled.size();
     std::vector<const grading::Mistake*> mistakes;
@@ -196,10 +217,13 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
     std::vector<grading::Candidate> candidates;
     for (const grading::Mistake* mistake : mistakes) {
       const std::string group = mistake->same.empty() ? mistake->name : mistake->same;
+      std::set<std::string> others = changed.at(mistake->name);
+      others.erase(mistake->step);
       made.push_back({mistake->title,
                       mistake->hint,
                       mistake->experiment,
                       mistake->step,
+                      others,
                       k,
                       {},
                       {mistake->name, group, diagnosis::Run(expected.scenes.size())}});

@@ -94,4 +94,11 @@ std::vector<std::string> blocks(std::string_view text, const std::string& file) 
   return found;
 }
 
+std::map<std::string, std::string> blocksByTodo(std::string_view text, const std::string& file) {
+  std::map<std::string, std::string> found;
+  for (const Line& line : parse(text, file))
+    if (!line.marker && !line.block.empty()) found[line.block] += line.text + '\n';
+  return found;
+}
+
 } // namespace ggrade::authoring

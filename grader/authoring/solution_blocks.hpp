@@ -5,6 +5,7 @@
 /// A block is the lines between a comment `BEGIN SOLUTION(mirror.2)` and `END SOLUTION(mirror.2)`,
 /// each alone on its line after `//`. Blocks don't nest; one TODO may have several blocks.
 
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -23,5 +24,8 @@ std::string withFilled(std::string_view text, const std::string& file,
 
 /// The text of every block (without markers), in order. Throws like withFilled.
 std::vector<std::string> blocks(std::string_view text, const std::string& file);
+
+/// The text of all blocks of each TODO that has any (without markers). Throws like withFilled.
+std::map<std::string, std::string> blocksByTodo(std::string_view text, const std::string& file);
 
 } // namespace ggrade::authoring

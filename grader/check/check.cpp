@@ -78,6 +78,7 @@ public:
     if (checked_.happened.ok()) {
       drawHandedOut(program);
       settleBegun();
+      lookForNext(program);
       drawOthers(program);
       observed_ = observed();
       checked_.drawn = !shown_.empty() && shown_[0].has_value();
@@ -126,7 +127,7 @@ private:
     std::vector<std::size_t> scenes;
     for (std::size_t i = 1; i < expected_.scenes.size(); ++i)
       if (const std::string& todo = expected_.scenes[i].todo;
-          expected_.scenes[i].another == another &&
+          expected_.scenes[i].another == another && !shown_[i] &&
           (todo.empty() || begun_.count(todo) || possible_.count(todo) || isBeforeLast(todo)))
         scenes.push_back(i);
     std::vector<grading::Happened> happened(scenes.size());
@@ -151,6 +152,20 @@ private:
     // Nobody has done that of which it isn't known what to expect.
     for (std::size_t i = 0; i < shown_.size(); ++i)
       if (!isDrawnAfter(expected_, i, step_)) shown_[i].reset();
+  }
+
+  /// Somebody may have written the next step among the lines of another one: where nothing else
+  /// tells, its own scene does.
+  void lookForNext(const fs::path& program) {
+    if (!checked_.happened.ok() || step_ == 0 || step_ == expected_.todos.size() ||
+        !windowsPass(expected_, shown_, step_) || !possible_.insert(expected_.todos[step_]).second)
+      return;
+    const grading::Happened happened = checked_.happened;
+    drawScenes(program, false);
+    possible_.erase(expected_.todos[step_]);
+    settleBegun();
+    checked_.happened = happened; // nobody has to draw it yet
+    endedAt_.clear();
   }
 
   /// What needs no picture to be told.
@@ -212,6 +227,8 @@ private:
         doubtCatalogue();
       suspect.isSure = !checked_.cause.empty() || observed_.isSure;
       suspect.isGuess = checked_.cause.empty();
+      if (suspect.isGuess)
+        suspect.spoiling = KnownMistakes(expected_, shown_, begun_, step_).spoiling(*first);
       if ((checked_.cause.empty() || observed_.isSure) && begun_.count(observed_.todo)) {
         suspect.todo = observed_.todo;
         suspect.isGuess = !observed_.isSure;
@@ -366,6 +383,7 @@ private:
           checked_.hint += "\n  " + say("To find out: {}", words(fault->experiment));
       }
     }
+    for (const Fault* fault : faults) others_.insert(fault->others.begin(), fault->others.end());
     others_.erase(faults[0]->todo);
     return faults[0]->todo;
   }
@@ -392,7 +410,9 @@ private:
     wrong.scene = first.scene;
     wrong.another = expected_.scenes[first.scene].another;
     wrong.share = first.share;
-    wrong.isMissing = first.missing;
+    if (first.missing)
+      wrong.missing = first.slot->stencil ? say("it holds only 0 at the frame's end")
+                                          : say("the program draws no such picture");
     // Where another texture is drawn into it may be an attachment that is missing.
     if (first.missing && first.slot->mesh &&
         std::ranges::none_of(shown_[first.scene]->passes, [&](const diagnosis::PassView& pass) {
@@ -407,7 +427,9 @@ private:
     const Image* expected = pictureOf(expected_.steps[step_][first.scene], first);
     if (ours) wrong.ours = *ours;
     if (expected) wrong.expected = *expected;
-    if (ours && expected && ours->channels() == expected->channels()) {
+    // How bright a depth or a count is says nothing.
+    const bool isColours = !first.slot || (!first.slot->depth && !first.slot->stencil);
+    if (ours && expected && isColours && ours->channels() == expected->channels()) {
       const Image fitted = diagnosis::resized(*ours, expected->width(), expected->height());
       const diagnosis::Pair pair{&fitted, expected, nullptr, nullptr};
       using Kind = diagnosis::Generic::Kind;

@@ -11,12 +11,12 @@ namespace ggrade::check {
 
 /// A picture that isn't as it should be now, beside the one that is expected.
 struct Wrong {
-  std::string name;       ///< "the window at 0.9 s"
-  std::size_t scene = 0;  ///< of `Expected::scenes`
-  bool another = false;   ///< is that a scene that wasn't handed out?
-  double share = 0;       ///< of its pixels
-  bool isMissing = false; ///< the program draws no such picture
-  Image ours;             ///< empty: the program makes no such picture
+  std::string name;      ///< "the window at 0.9 s"
+  std::size_t scene = 0; ///< of `Expected::scenes`
+  bool another = false;  ///< is that a scene that wasn't handed out?
+  double share = 0;      ///< of its pixels
+  std::string missing;   ///< says that the program has no such picture; empty: it has
+  Image ours;            ///< empty: the program makes no such picture
   Image expected;
 };
 

@@ -171,8 +171,9 @@ std::string frustumFault(const Frustum& frustum, const trace::Trace& trace) {
                  "are these not the light's matrices?",
                  percent(most));
     if (spread.isReversed)
-      return say("what is farther from the light gets a smaller depth: is the near plane's distance "
-                 "greater than the far one's, or the sign of z another one than a camera's?");
+      return say(
+          "what is farther from the light gets a smaller depth: is the near plane's distance "
+          "greater than the far one's, or the sign of z another one than a camera's?");
     if (most == spread.near)
       return say("{}% of what the light should see lies nearer than its near plane", percent(most));
     if (most == spread.far)

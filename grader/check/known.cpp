@@ -15,6 +15,13 @@ namespace {
 /// A pass of which less differs may be right in another way, such as with another filter.
 constexpr double kAnotherWay = 0.02;
 
+const Image* pictureOf(const SceneViews& views, const diagnosis::FirstWrong& picture) {
+  if (!picture.slot)
+    return picture.frame < views.windows.size() ? &views.windows[picture.frame] : nullptr;
+  const diagnosis::PassView* pass = views.find(*picture.slot);
+  return pass ? &pass->picture : nullptr;
+}
+
 bool sameWindows(const SceneViews& a, const SceneViews& b) {
   return std::ranges::equal(a.windows, b.windows, [](const Image& one, const Image& two) {
     return diagnosis::alike(&one, &two);
@@ -44,6 +51,19 @@ std::vector<const Fault*> KnownMistakes::like(std::size_t scene) const {
 
 bool KnownMistakes::isExactly(const Fault& fault, std::size_t scene) const {
   return showsTheSame(viewsOf(fault, scene), *shown_[scene]);
+}
+
+std::set<std::string> KnownMistakes::spoiling(const diagnosis::FirstWrong& picture) const {
+  const SceneViews& should = expected_.steps[step_][picture.scene];
+  std::set<std::string> todos;
+  for (const Fault& fault : expected_.faults) {
+    if (fault.step != step_ || !fault.scenes.count(picture.scene) || todos.count(fault.todo))
+      continue;
+    const SceneViews views = viewsOf(fault, picture.scene);
+    if (!diagnosis::alike(pictureOf(views, picture), pictureOf(should, picture)))
+      todos.insert(fault.todo);
+  }
+  return todos;
 }
 
 SceneViews KnownMistakes::viewsOf(const Fault& fault, std::size_t scene) const {

@@ -23,6 +23,9 @@ public:
   /// Does this one show the very same in that scene?
   bool isExactly(const Fault& fault, std::size_t scene) const;
 
+  /// TODOs of those that, in a program that has come as far, spoil that picture.
+  std::set<std::string> spoiling(const diagnosis::FirstWrong& picture) const;
+
 private:
   std::vector<const Fault*> like(std::size_t scene, std::size_t step) const;
   diagnosis::SceneViews viewsOf(const Fault& fault, std::size_t scene) const;

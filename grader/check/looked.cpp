@@ -31,6 +31,13 @@ bool isSeen(const Checked& checked, const Row& row) {
          });
 }
 
+/// Was a later step begun?
+bool isBegunAfter(const Checked& checked, const Row& row) {
+  return std::ranges::any_of(checked.rows, [&](const Row& later) {
+    return &later > &row && later.state != State::notBegun;
+  });
+}
+
 } // namespace
 
 const Row* rowToLookAt(const Checked& checked) {
@@ -111,6 +118,9 @@ std::string noteOf(const Checked& checked, const Row& row) {
     else if (!checked.firstWrong && !checked.happened.ok())
       add(say("the program ends in another scene; it may lie in another step, too"));
   }
+  if (row.state == State::notBegun && isBegunAfter(checked, row))
+    add(say("nothing stands in its place; if it stands elsewhere, it is known once the picture is "
+            "right"));
   if (row.state == State::waits)
     add(checked.drawn ? say("begun; judged once what comes before it is right")
                       : say("begun; judged once the program draws"));
@@ -142,10 +152,10 @@ std::string pictureHeading(const Checked& checked) {
 
 std::string pictureOf(const Looked& looked) {
   const Wrong& wrong = *looked.checked.firstWrong;
-  const std::string place = wrong.isMissing
-                                ? say("{}: the program draws no such picture", wrong.name)
-                                : say("{}: {} of it differs from what should be there now",
-                                      wrong.name, report::percent(wrong.share));
+  const std::string place = wrong.missing.empty()
+                                ? say("{}: {} of it differs from what should be there now",
+                                      wrong.name, report::percent(wrong.share))
+                                : say("{}: {}", wrong.name, wrong.missing);
   const std::string scene = sceneOf(looked, wrong.scene);
   return scene.empty() ? place : say("{} ({})", place, scene);
 }

@@ -164,6 +164,13 @@ public:
     return false;
   }
 
+  bool isOneScene(std::size_t a, std::size_t b) const { return cells_[a].scene == cells_[b].scene; }
+
+  /// Is it a picture of a scene that is there for one TODO?
+  bool isOfATodo(std::size_t cell) const {
+    return !expected_.scenes[cells_[cell].scene].todo.empty();
+  }
+
   /// Does step k change a picture of the cell's scene that isn't as after step `should`?
   bool changesAnyWrong(std::size_t cell, std::size_t k, std::size_t should) const {
     for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -320,13 +327,26 @@ private:
     std::set<std::string> todos;
     for (std::size_t k = 1; wrong_ && k <= std::min(should_, gap_); ++k) {
       const Row& row = all_[k - 1];
-      // What the handed-out scenes show tells nothing of another one.
+      // What the handed-out scenes show tells nothing of another one, nor the public one of those
+      // that are there for a TODO.
       if ((judging_.isAnother(*wrong_)
                ? judging_.changesAnyWrong(*wrong_, k, should_)
-               : row.state == State::waits && judging_.isChanged(*wrong_, k)) ||
+               : (row.state == State::waits || judging_.isOfATodo(*wrong_)) &&
+                     (judging_.isChanged(*wrong_, k) || suspect_.spoiling.count(row.todo))) ||
           judging_.changesWhatIsWrong(*wrong_, k, should_) || judging_.isKnownInPart(k, *wrong_))
         todos.insert(row.todo);
     }
+    return todos;
+  }
+
+  /// Steps that show something earlier, and of which there are mistakes that show first in a
+  /// program that has come to this one: they were not seen before.
+  std::set<std::string> shownFirstHere() const {
+    std::set<std::string> todos;
+    for (const Fault& fault : expected_.faults)
+      for (const Row& row : all_)
+        if (fault.step == should_ && row.todo == fault.todo && row.seen && isBegun(row))
+          todos.insert(row.todo);
     return todos;
   }
 
@@ -376,11 +396,19 @@ private:
           row.state = State::maybe;
     };
     if (isNamed && !suspect_.others.empty()) return mayBe(suspect_.others);
-    if (!wrong_ || (isNamed && !suspect_.isGuess) || !(inWindows || suspect_.isGuess) ||
-        (isLast && !suspect_.isLater && !isAnother))
+    if (!wrong_ || (isNamed && !suspect_.isGuess) || !(inWindows || suspect_.isGuess)) return;
+    if (isLast && !suspect_.isLater && !isAnother) {
+      std::set<std::string> earlier = shownFirstHere();
+      earlier.erase(culprit.todo);
+      if (!earlier.empty()) mayBe(earlier);
       return;
+    }
     mayBe(suspect_.isLater ? begun_ : drawing);
     mayBe({suspect_.todo});
+    // A step before may have another scene's picture wrong, which doesn't come of this one.
+    for (std::size_t k = 1; &all_[k - 1] < &culprit; ++k)
+      if (first_[k] && waiting.count(all_[k - 1].todo) && !judging_.isOneScene(*first_[k], *wrong_))
+        all_[k - 1].state = State::maybe;
     // Of what they stand on nothing may have been seen before.
     for (std::size_t k = should_; k > 1; --k)
       if (all_[k - 1].state == State::maybe && waiting.count(all_[k - 1].todo) &&

@@ -46,6 +46,8 @@ struct Suspect {
   /// First frames are right, so pictures don't tell whose fault later ones are.
   bool isLater = false;
   std::set<std::string> others{}; ///< TODOs that are as likely
+  std::set<std::string>
+      spoiling{}; ///< those with known mistakes that spoil the first wrong picture
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,

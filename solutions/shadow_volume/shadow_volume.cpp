@@ -181,7 +181,7 @@ void app(const gg::Scene& scene) {
         glEnable(GL_DEPTH_CLAMP);
       }
       // END SOLUTION(shadow_volume.5)
-      // Then TODO(shadow_volume.3) draws.
+      // Then TODO(shadow_volume.3) draws, and puts all state back. It sets it above step 5.
       // BEGIN SOLUTION(shadow_volume.3)
       if (scene.integer("quality.passes") == 1) {
         volume.draw();

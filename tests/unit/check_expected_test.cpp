@@ -30,7 +30,7 @@ Expected small() {
   all.frustum = {"mirror.1", {"uProjection", "uView"}, {{1, 2, 3}}, {0.9, 0.8, 0.5}};
   all.samplers = {{}, {{"uShadowMap", {true, 512, 256, true, false}}}};
   all.faults = {
-      {"A title", "A hint", "A test", "mirror.1", 1, {0, 1}, {"x", "group", {black, right, {}}}}};
+      {"A title", "A hint", "A test", "mirror.1", {"mirror.2"}, 1, {0, 1}, {"x", "group", {black, right, {}}}}};
   all.others = {{right, black, right}};
   return all;
 }

@@ -208,4 +208,17 @@ TEST(CheckRows, SomethingElseThatIsWrongIsTheLastOnes) {
   EXPECT_EQ(states(seen(kEmpty, Image(320, 240, 3, 0.0f)), first(1)), "wnnnn");
 }
 
+TEST(CheckRows, AMistakeOfAnEarlierStepMayShowFirstAtTheLastOne) {
+  const SceneViews wrong = seen(painted(kEmpty, 0.4f, 0.3f, 0.8f, 0.7f, 0.8f),
+                                painted(kSampled, 0.65f, 0.7f, 0.95f, 0.9f, 0.8f));
+  Expected all = expected();
+  const auto after4 = [&] { return letters(rows(all, {wrong}, first(4))); };
+  Fault fault{"", "", "", "m.3"};
+  fault.step = 5; // in the finished program alone
+  all.faults = {fault};
+  EXPECT_EQ(after4(), "dddwn");
+  all.faults[0].step = 4;
+  EXPECT_EQ(after4(), "ddmmn");
+}
+
 } // namespace
