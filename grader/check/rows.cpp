@@ -171,11 +171,15 @@ public:
     return !expected_.scenes[cells_[cell].scene].todo.empty();
   }
 
-  /// Does step k change a picture of the cell's scene that isn't as after step `should`?
-  bool changesAnyWrong(std::size_t cell, std::size_t k, std::size_t should) const {
-    for (std::size_t c = 0; c < cells_.size(); ++c)
-      if (cells_[c].scene == cells_[cell].scene && !same(c, should) && isChanged(c, k)) return true;
-    return false;
+  /// Does step k show in the cell's scene, and is all that it changes there as after step `should`?
+  bool isRightThere(std::size_t cell, std::size_t k, std::size_t should) const {
+    bool shows = false;
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      if (!isOneScene(c, cell) || !isChanged(c, k)) continue;
+      if (!same(c, should)) return false;
+      shows = true;
+    }
+    return shows;
   }
 
   /// Does step k change most of the pixels that aren't as after step `should`?
@@ -330,7 +334,7 @@ private:
       // What the handed-out scenes show tells nothing of another one, nor the public one of those
       // that are there for a TODO.
       if ((judging_.isAnother(*wrong_)
-               ? judging_.changesAnyWrong(*wrong_, k, should_)
+               ? !judging_.isRightThere(*wrong_, k, should_)
                : (row.state == State::waits || judging_.isOfATodo(*wrong_)) &&
                      (judging_.isChanged(*wrong_, k) || suspect_.spoiling.count(row.todo))) ||
           judging_.changesWhatIsWrong(*wrong_, k, should_) || judging_.isKnownInPart(k, *wrong_))
@@ -358,19 +362,22 @@ private:
     std::set<std::string> waiting;
     for (const Row& row : all_)
       if (row.state == State::waits) waiting.insert(row.todo);
+    // A little that differs may come of what is there already of a later step.
     if (windows_.empty() && !suspect_.isExplained && gap_ <= should_ &&
         judging_.isNearly(gap_ - 1)) {
       for (std::size_t k = 1; k < gap_; ++k)
         if (isBegun(all_[k - 1])) all_[k - 1].state = State::done;
-      culprit.state = State::nearly;
       return;
     }
     if (windows_.empty() && !suspect_.isExplained && judging_.isNearly(should_)) {
       allBegunAreDone();
       // It lies in this step or in one before, see `noteOf`.
       Row* last = &culprit;
-      for (Row& row : all_)
-        if (isAnother && isBegun(row) && drawing.count(row.todo)) last = std::max(last, &row);
+      for (std::size_t k = 1; k <= should_; ++k)
+        if (isBegun(all_[k - 1]) &&
+            (isAnother ? drawing.count(all_[k - 1].todo) > 0
+                       : !isNamed && wrong_ && judging_.isChanged(*wrong_, k)))
+          last = std::max(last, &all_[k - 1]);
       last->state = State::nearly;
       return;
     }

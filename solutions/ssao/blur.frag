@@ -16,7 +16,7 @@ void main() {
   vec3 position = positionAt(here()), normal = normalAt(here());
   // TODO(ssao.4): the average of the pixels at + i * to, i from -uReach to uReach.
   //   Given:  `at`, `to`, `position`, `normal`; uOcclusion, sameSurface(), windowPixel(pixel).
-  //   Goal:   each pixel that there is weighs 1, the two outermost 1/2, so that the widths of 4, 8,
+  //   Goal:   each pixel in the window weighs 1, the two outermost 1/2, so that the widths of 4, 8,
   //           ... hold every number of dither() equally often; and the less, the less it shows the
   //           same surface.
   //   Expect: no grain, and sharp edges.                                  (README.md, step 4)

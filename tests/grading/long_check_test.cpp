@@ -102,11 +102,17 @@ Told tell(const Known& of, const fs::path& expected, const ggrade::grading::Mist
   std::string said;
   told.states = statesOf(of.part().id, expected, files, &said);
   told.isAlone = std::ranges::find(told.states, "maybe") == told.states.end();
+  bool isReached = false; // one of its steps
   for (std::size_t i = 0; i < told.states.size(); ++i) {
     const std::string& state = told.states[i];
     const bool isBlamed =
         state == "wrong" || state == "maybe" || state == "differs" || state == "nearly";
     if (state != "done" && state != "not_begun") told.isDone = false;
+    isReached = isReached || steps.count(of.part().todos[i].id);
+    if (isReached && state == "nearly") { // "here or in a step before"
+      told.isPlaced = true;
+      told.isAlone = told.isAlone && steps.count(of.part().todos[i].id);
+    }
     if (!steps.count(of.part().todos[i].id)) {
       told.isFalse = told.isFalse || state == "wrong";
       continue;
