@@ -128,7 +128,8 @@ private:
     for (std::size_t i = 1; i < expected_.scenes.size(); ++i)
       if (const std::string& todo = expected_.scenes[i].todo;
           expected_.scenes[i].another == another && !shown_[i] &&
-          (todo.empty() || begun_.count(todo) || possible_.count(todo) || isBeforeLast(todo)))
+          (todo.empty() || begun_.count(todo) || possible_.count(todo) ||
+           (!another && isBeforeLast(todo))))
         scenes.push_back(i);
     std::vector<grading::Happened> happened(scenes.size());
     grading::inParallel(scenes.size(), grading::workers(), [&](std::size_t k) {

@@ -104,7 +104,7 @@ std::string noteOf(const Checked& checked, const Row& row) {
   };
   if (row.state == State::nearly)
     add(say("the windows are nearly as they should be, and no known mistake explains the rest: a "
-            "detail, here or in a step before, or another right way"));
+            "detail, here or in another step, or another right way"));
   if (row.state == State::differs)
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));

@@ -371,13 +371,10 @@ private:
     }
     if (windows_.empty() && !suspect_.isExplained && judging_.isNearly(should_)) {
       allBegunAreDone();
-      // It lies in this step or in one before, see `noteOf`.
+      if (gap_ <= should_) return; // a step that was left out explains it
       Row* last = &culprit;
-      for (std::size_t k = 1; k <= should_; ++k)
-        if (isBegun(all_[k - 1]) &&
-            (isAnother ? drawing.count(all_[k - 1].todo) > 0
-                       : !isNamed && wrong_ && judging_.isChanged(*wrong_, k)))
-          last = std::max(last, &all_[k - 1]);
+      for (Row& row : all_)
+        if (isAnother && isBegun(row) && drawing.count(row.todo)) last = std::max(last, &row);
       last->state = State::nearly;
       return;
     }

@@ -109,7 +109,7 @@ Told tell(const Known& of, const fs::path& expected, const ggrade::grading::Mist
         state == "wrong" || state == "maybe" || state == "differs" || state == "nearly";
     if (state != "done" && state != "not_begun") told.isDone = false;
     isReached = isReached || steps.count(of.part().todos[i].id);
-    if (isReached && state == "nearly") { // "here or in a step before"
+    if (isReached && state == "nearly") { // "here or in another step"
       told.isPlaced = true;
       told.isAlone = told.isAlone && steps.count(of.part().todos[i].id);
     }
