@@ -208,11 +208,13 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
       const auto draws = mistake.outcome == results::Outcome::graded ||
                          mistake.outcome == results::Outcome::glError;
       const auto done = std::span(expected.todos).first(k);
-      if (draws && std::ranges::find(done, mistake.step) != done.end() &&
-          (finished || !shown.count(mistake.name)))
+      if (draws && std::ranges::find(done, mistake.step) != done.end())
         mistakes.push_back(&mistake);
     }
-    if (!finished) mistakes = thereAlready(source, mistakes, filled[k]);
+    if (!finished) {
+      mistakes = thereAlready(source, mistakes, filled[k]);
+      std::erase_if(mistakes, [&](const auto* mistake) { return shown.count(mistake->name) > 0; });
+    }
     std::vector<check::Fault> made;
     std::vector<grading::Candidate> candidates;
     for (const grading::Mistake* mistake : mistakes) {

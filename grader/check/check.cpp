@@ -132,13 +132,19 @@ private:
            (!another && isBeforeLast(todo))))
         scenes.push_back(i);
     std::vector<grading::Happened> happened(scenes.size());
+    std::vector<std::vector<std::string>> messages(scenes.size());
     grading::inParallel(scenes.size(), grading::workers(), [&](std::size_t k) {
-      happened[k] = drawScene(program, scenes[k]).happened;
+      const grading::Rendering rendering = drawScene(program, scenes[k]);
+      happened[k] = rendering.happened;
+      if (!rendering.happened.ok()) messages[k] = messagesOf(rendering);
     });
     for (std::size_t k = 0; k < scenes.size(); ++k)
       if (!happened[k].ok() && checked_.happened.ok()) {
         checked_.happened = happened[k];
         endedAt_ = expected_.scenes[scenes[k]].todo;
+        for (std::string& message : messages[k]) // its last words
+          if (std::ranges::find(checked_.messages, message) == checked_.messages.end())
+            checked_.messages.push_back(std::move(message));
       }
   }
 
@@ -146,8 +152,17 @@ private:
   /// what may have been begun, that is what comes before something that has: steps are taken in
   /// order.
   void settleBegun() {
-    if (!begun_.empty() || !possible_.empty()) begun_.merge(doneInPictures(expected_, shown_));
     step_ = expectedStep(expected_, begun_);
+    if (!begun_.empty() || !possible_.empty()) {
+      std::set<std::string> more = begun_;
+      more.merge(doneInPictures(expected_, shown_));
+      // What looks like a later step's may come of a mistake, unless the windows are right, too.
+      const std::size_t step = expectedStep(expected_, more);
+      const bool isLater = step > step_ && !windowsPass(expected_, shown_, step);
+      for (const std::string& todo : more)
+        if (!isLater || possible_.count(todo) || isBeforeLast(todo)) begun_.insert(todo);
+      step_ = expectedStep(expected_, begun_);
+    }
     for (std::size_t k = 0; k < step_; ++k)
       if (possible_.count(expected_.todos[k])) begun_.insert(expected_.todos[k]);
     // Nobody has done that of which it isn't known what to expect.
@@ -396,7 +411,8 @@ private:
         checked_.titles.empty()
             ? say("It looks like this mistake, but may be another one: {}. If it is this: {}",
                   checked_.cause, checked_.hint)
-            : fmt::format("{}\n{}", capitalized(checked_.cause), checked_.hint);
+            : say("It looks like one of these mistakes, but may be another one:\n{}",
+                  checked_.hint);
     checked_.cause.clear();
     checked_.hint.clear();
     checked_.titles.clear();

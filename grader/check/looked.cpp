@@ -42,9 +42,16 @@ bool isBegunAfter(const Checked& checked, const Row& row) {
 
 const Row* rowToLookAt(const Checked& checked) {
   if (!checked.drawn) return nullptr;
-  for (const State state : {State::wrong, State::maybe, State::nearly, State::differs})
-    for (const Row& row : checked.rows)
-      if (row.state == state) return &row;
+  const auto first = [&](State state) {
+    const auto row = std::ranges::find(checked.rows, state, &Row::state);
+    return row == checked.rows.end() ? nullptr : &*row;
+  };
+  if (const Row* row = first(State::wrong)) return row;
+  // Of those that may be, the one that was written last: whoever looks often has seen the others.
+  for (auto row = checked.rows.rbegin(); row != checked.rows.rend(); ++row)
+    if (row->state == State::maybe) return &*row;
+  for (const State state : {State::nearly, State::differs})
+    if (const Row* row = first(state)) return row;
   const auto next =
       std::ranges::find_if(checked.rows, [](const Row& row) { return row.state != State::done; });
   return next == checked.rows.end() ? nullptr : &*next;
@@ -109,7 +116,7 @@ std::string noteOf(const Checked& checked, const Row& row) {
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));
   if (row.state == State::maybe)
-    add(row.seen ? say("it draws what is wrong, which may come of another step, too")
+    add(row.seen ? say("here, or in another step that may be")
                  : say("no picture shows it by itself, and what stands on it is wrong"));
   if (row.state == State::wrong || row.state == State::differs) {
     const std::string unseen = checked.cause.empty() ? unseenBefore(checked, row) : std::string();

@@ -19,7 +19,7 @@ struct Looked {
   bool canAsk = false;        ///< is this the part of which asking tells more?
 };
 
-/// The TODO to look at now: the wrong one, else the one that may be, else the first that isn't
+/// The TODO to look at now: the wrong one, else the last that may be, else the first that isn't
 /// done; none where nothing was drawn or all is done.
 const Row* rowToLookAt(const Checked& checked);
 

@@ -83,7 +83,8 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
                            "of {} x {}: which size does its storage get?",
                            sampler, width, height, wanted.width, wanted.height)
                      : say("The sampler {} reads a texture of {} x {} pixels, and should read one "
-                           "of {} x {}: which texture is bound to its unit?",
+                           "of {} x {}: is another one bound to its unit, or is a draw "
+                           "missing, too many, or in another place?",
                            sampler, width, height, wanted.width, wanted.height),
            isStorage});
     } else if (!found->second.isComplete && wanted.byObject && !found->second.byObject)

@@ -381,11 +381,25 @@ private:
     const bool inWindows = std::ranges::find(windows_, should_) == windows_.end();
     const bool isDrawn = wrong_ && judging_.isDrawn(*wrong_);
     culprit.state = inWindows || suspect_.isExplained || !isDrawn ? State::wrong : State::differs;
+    if (culprit.state == State::differs && wrong_) return differ(culprit);
     // What comes before it and isn't seen is not what is wrong.
     for (Row& row : all_)
       if (&row < &culprit && row.state == State::waits) row.state = State::done;
     if (culprit.state == State::wrong) doubt(culprit, drawing, waiting, inWindows);
   }
+
+  /// Windows are right, and a pass isn't as it should be: the last step that changes it differs.
+  void differ(Row& culprit) {
+    Row* row = &culprit;
+    for (std::size_t k = 1; k <= should_ && !judging_.isChanged(*wrong_, indexOf(culprit)); ++k)
+      if (isBegun(all_[k - 1]) && judging_.isChanged(*wrong_, k)) row = &all_[k - 1];
+    for (Row& other : all_)
+      if (other.state == State::waits && &other < row) other.state = State::done;
+    if (row != &culprit) culprit.state = State::waits;
+    row->state = State::differs;
+  }
+
+  std::size_t indexOf(const Row& row) const { return std::size_t(&row - all_.data()) + 1; }
 
   /// Pictures alone don't tell which of several it is, unless the others were looked at before.
   ///   drawing: what is wrong;  waiting: of these no picture is right
@@ -393,7 +407,7 @@ private:
              const std::set<std::string>& waiting, bool inWindows) {
     const bool isAnother = wrong_ && judging_.isAnother(*wrong_);
     const bool isNamed = culprit.todo == suspect_.todo;
-    const bool isLast = isLastOfUnfinished(std::size_t(&culprit - all_.data()) + 1);
+    const bool isLast = isLastOfUnfinished(indexOf(culprit));
     const auto mayBe = [&](const std::set<std::string>& todos) {
       for (Row& row : all_)
         if (&row == &culprit || (row.state != State::notBegun && todos.count(row.todo)))

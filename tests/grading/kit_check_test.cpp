@@ -154,6 +154,20 @@ TEST_F(Check, TellsAMistakeWithoutComments) {
   EXPECT_EQ(part.at("todos").at(5).at("state"), "not_begun");
 }
 
+TEST_F(Check, KnowsAStepThatStandsInThePlaceOfAnother) {
+  // All of the last one is in the third one's place, and in a function that is nobody's.
+  Submission submission = Submission::solution();
+  submission.replace("tile.frag",
+                     "    if (uBlurSigma > 0 && uBlurSamples > 0) reflected = "
+                     "blurredReflection(at);\n",
+                     "");
+  submission.replace("tile.frag", "reflected = texture(uReflection, at).rgb;",
+                     "reflected = uBlurSigma > 0 && uBlurSamples > 0 ? blurredReflection(at) : "
+                     "texture(uReflection, at).rgb;");
+  for (const json& todo : checked(submission.path()).at("todos"))
+    EXPECT_EQ(todo.at("state"), "done") << todo;
+}
+
 TEST_F(Check, NamesWhyAWindowIsWhiteOrBlack) {
   expectSilence(checked(Submission::solution().path()));
   for (const Window& window : windows()) {

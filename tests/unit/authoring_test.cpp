@@ -42,6 +42,9 @@ TEST(SolutionBlocks, AreTakenOutUnlessFilled) {
   EXPECT_EQ(withFilled(kSolution, "a.cpp", {"mirror.1", "mirror.2"}),
             "int a;\nint b;\nint c;\n  int d;\n  int e;\n");
   EXPECT_THAT(blocks(kSolution, "a.cpp"), ElementsAre("int b;\n", "  int d;\n", "  int e;\n"));
+  EXPECT_THAT(authoring::blocksByTodo(kSolution, "a.cpp"),
+              ElementsAre(testing::Pair("mirror.1", "int b;\n  int e;\n"),
+                          testing::Pair("mirror.2", "  int d;\n")));
 }
 
 TEST(SolutionBlocks, TextWithoutThemStaysAsItIs) {

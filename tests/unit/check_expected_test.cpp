@@ -20,7 +20,7 @@ Expected small() {
   all.part = "mirror";
   all.todos = {"mirror.1"};
   all.scenes = {{"public", {{"size", {4, 3}}}, {0.25}, "", false},
-                {"blurred", {{"size", {5, 6}}}, {1}, "mirror.1", true},
+                {"blurred", {{"size", {5, 6}}}, {1}, "mirror.1", true, 0, {"mirror.3"}},
                 {"other", {}, {1}, "mirror.2", false}};
   diagnosis::SceneViews black = diagnosis::samples::views();
   black.windows[0] = diagnosis::reduced(Image(320, 240, 3, 0.0f), 3);
@@ -29,8 +29,14 @@ Expected small() {
   all.steps = {{black, right, right}, all.reference};
   all.frustum = {"mirror.1", {"uProjection", "uView"}, {{1, 2, 3}}, {0.9, 0.8, 0.5}};
   all.samplers = {{}, {{"uShadowMap", {true, 512, 256, true, false}}}};
-  all.faults = {
-      {"A title", "A hint", "A test", "mirror.1", {"mirror.2"}, 1, {0, 1}, {"x", "group", {black, right, {}}}}};
+  all.faults = {{"A title",
+                 "A hint",
+                 "A test",
+                 "mirror.1",
+                 {"mirror.2"},
+                 1,
+                 {0, 1},
+                 {"x", "group", {black, right, {}}}}};
   all.others = {{right, black, right}};
   return all;
 }
@@ -48,6 +54,7 @@ TEST(CheckExpected, IsReadAsItWasWritten) {
   EXPECT_EQ(all.scenes[1].todo, "mirror.1");
   EXPECT_FALSE(all.scenes[0].another);
   EXPECT_TRUE(all.scenes[1].another);
+  EXPECT_THAT(all.scenes[1].also, ElementsAre("mirror.3"));
   EXPECT_EQ(readJson(sceneFile(folder.path(), 1)).at("size"), nlohmann::json({5, 6}));
   EXPECT_FALSE(std::filesystem::exists(sceneFile(folder.path(), 0)));
   ASSERT_EQ(all.steps.size(), 2u);
@@ -58,6 +65,7 @@ TEST(CheckExpected, IsReadAsItWasWritten) {
   ASSERT_EQ(all.faults.size(), 1u);
   EXPECT_EQ(all.faults[0].hint, "A hint");
   EXPECT_EQ(all.faults[0].experiment, "A test");
+  EXPECT_THAT(all.faults[0].others, ElementsAre("mirror.2"));
   EXPECT_EQ(all.faults[0].step, 1u);
   EXPECT_THAT(all.faults[0].scenes, ElementsAre(0, 1));
   EXPECT_EQ(all.frustum.todo, "mirror.1");
