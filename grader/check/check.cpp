@@ -238,9 +238,7 @@ private:
           suspect.todo = likeliest(i);
       // One picture of one colour looks like the next; and what is observed may explain all.
       const Image* wrong = pictureOf(*shown_[first->scene], *first);
-      if (observed_.isState ||
-          (checked_.titles.empty() && (!wrong || diagnosis::isOneColour(*wrong))))
-        doubtCatalogue();
+      if (observed_.isState || !wrong || diagnosis::isOneColour(*wrong)) doubtCatalogue();
       suspect.isSure = !checked_.cause.empty() || observed_.isSure;
       suspect.isGuess = checked_.cause.empty();
       if (suspect.isGuess)
@@ -248,7 +246,7 @@ private:
       if ((checked_.cause.empty() || observed_.isSure) && begun_.count(observed_.todo)) {
         suspect.todo = observed_.todo;
         suspect.isGuess = !observed_.isSure;
-      } else if (!checked_.cause.empty()) {
+      } else {
         suspect.others = others_;
       }
       suspect.isExplained = !checked_.cause.empty() || !observed_.faults.empty() ||

@@ -15,13 +15,6 @@ namespace {
 /// A pass of which less differs may be right in another way, such as with another filter.
 constexpr double kAnotherWay = 0.02;
 
-const Image* pictureOf(const SceneViews& views, const diagnosis::FirstWrong& picture) {
-  if (!picture.slot)
-    return picture.frame < views.windows.size() ? &views.windows[picture.frame] : nullptr;
-  const diagnosis::PassView* pass = views.find(*picture.slot);
-  return pass ? &pass->picture : nullptr;
-}
-
 bool sameWindows(const SceneViews& a, const SceneViews& b) {
   return std::ranges::equal(a.windows, b.windows, [](const Image& one, const Image& two) {
     return diagnosis::alike(&one, &two);
@@ -59,8 +52,8 @@ std::set<std::string> KnownMistakes::spoiling(const diagnosis::FirstWrong& pictu
   for (const Fault& fault : expected_.faults) {
     if (fault.step != step_ || !fault.scenes.count(picture.scene) || todos.count(fault.todo))
       continue;
-    const SceneViews views = viewsOf(fault, picture.scene);
-    if (!diagnosis::alike(pictureOf(views, picture), pictureOf(should, picture)))
+    const auto first = diagnosis::firstWrong({viewsOf(fault, picture.scene)}, {should});
+    if (first && first->slot == picture.slot && first->frame == picture.frame)
       todos.insert(fault.todo);
   }
   return todos;

@@ -23,7 +23,8 @@ public:
   /// Does this one show the very same in that scene?
   bool isExactly(const Fault& fault, std::size_t scene) const;
 
-  /// TODOs of those that, in a program that has come as far, spoil that picture.
+  /// TODOs of those of which, in a program that has come as far, that picture is the first wrong
+  /// one of its scene.
   std::set<std::string> spoiling(const diagnosis::FirstWrong& picture) const;
 
 private:

@@ -413,7 +413,7 @@ private:
         if (&row == &culprit || (row.state != State::notBegun && todos.count(row.todo)))
           row.state = State::maybe;
     };
-    if (isNamed && !suspect_.others.empty()) return mayBe(suspect_.others);
+    if (isNamed && !suspect_.others.empty() && !suspect_.isGuess) return mayBe(suspect_.others);
     if (!wrong_ || (isNamed && !suspect_.isGuess) || !(inWindows || suspect_.isGuess)) return;
     if (isLast && !suspect_.isLater && !isAnother) {
       std::set<std::string> earlier = shownFirstHere();
@@ -422,6 +422,7 @@ private:
       return;
     }
     mayBe(suspect_.isLater ? begun_ : drawing);
+    mayBe(suspect_.others);
     mayBe({suspect_.todo});
     // A step before may have another scene's picture wrong, which doesn't come of this one.
     for (std::size_t k = 1; &all_[k - 1] < &culprit; ++k)

@@ -45,9 +45,8 @@ struct Suspect {
   bool isSure = false;      ///< also where a step before it was left out
   /// First frames are right, so pictures don't tell whose fault later ones are.
   bool isLater = false;
-  std::set<std::string> others{}; ///< TODOs that are as likely
-  std::set<std::string>
-      spoiling{}; ///< those with known mistakes that spoil the first wrong picture
+  std::set<std::string> others{};   ///< TODOs that are as likely
+  std::set<std::string> spoiling{}; ///< those with known mistakes whose first wrong picture is this
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,
