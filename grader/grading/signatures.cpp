@@ -86,7 +86,10 @@ renderSignatures(const Target& target, const fs::path& solutionFolder,
         diagnosis::SceneViews seen;
         if (program) {
           const SceneCase& scene = references.scenes[scenes[i]];
-          const Rendering rendering = program->render(scene.scene, scene.times, shaders, request);
+          Rendering rendering = program->render(scene.scene, scene.times, shaders, request);
+          // A busy machine may have taken its time away, and what is kept is kept for good.
+          if (rendering.happened.outcome == results::Outcome::timeout)
+            rendering = program->render(scene.scene, scene.times, shaders, request);
           if (!shaders.keep.empty()) shaders = {shaders.keep};
           requireMachine(rendering.happened, candidate.name);
           seen = diagnosis::views(rubric::toImages(rawFrames(rendering.capture)),
