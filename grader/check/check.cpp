@@ -236,9 +236,13 @@ private:
         if (i != first->scene && shown_[i] && !expected_.scenes[i].another &&
             (i == 0 || diagnosis::firstWrong({*shown_[i]}, {expected_.steps[step_][i]})))
           suspect.todo = likeliest(i);
-      // One picture of one colour looks like the next; and what is observed may explain all.
+      // One picture of one colour looks like the next, of windows even more than of textures; and
+      // what is observed may explain all.
       const Image* wrong = pictureOf(*shown_[first->scene], *first);
-      if (observed_.isState || !wrong || diagnosis::isOneColour(*wrong)) doubtCatalogue();
+      const bool isAlone = checked_.titles.empty(); // a list is a doubt already
+      if (observed_.isState ||
+          ((isAlone || !first->slot) && (!wrong || diagnosis::isOneColour(*wrong))))
+        doubtCatalogue();
       suspect.isSure = !checked_.cause.empty() || observed_.isSure;
       suspect.isGuess = checked_.cause.empty();
       if (suspect.isGuess)
