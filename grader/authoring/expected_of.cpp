@@ -145,20 +145,27 @@ std::string textOf(const Assignment& assignment, const grading::Recipe& recipe) 
   return text;
 }
 
+/// By TODO, the text of its blocks in all files.
+std::map<std::string, std::string> blocksIn(const Assignment& assignment, const fs::path& folder) {
+  std::map<std::string, std::string> all;
+  for (const std::string& file : assignment.files)
+    for (const auto& [todo, text] :
+         authoring::blocksByTodo(readFile(folder / file), (folder / file).string()))
+      all[todo] += file + '\n' + text;
+  return all;
+}
+
 /// The TODOs in whose blocks a patch changes anything.
-std::set<std::string> changedBy(const Source& source, const fs::path& patch) {
+///   right: what `blocksIn` has of the solution
+std::set<std::string> changedBy(const Source& source, const fs::path& patch,
+                                const std::map<std::string, std::string>& right) {
   const grading::TemporaryFolder folder;
   grading::writeFiles(source.assignment, {source.solutions, {patch}}, folder.path());
+  const auto wrong = blocksIn(source.assignment, folder.path());
   std::set<std::string> todos;
-  for (const std::string& file : source.assignment.files) {
-    const auto texts = [&](const fs::path& of) {
-      return authoring::blocksByTodo(readFile(of / file), (of / file).string());
-    };
-    const auto right = texts(source.solutions), wrong = texts(folder.path());
-    for (const auto& [todo, text] : right)
-      if (const auto found = wrong.find(todo); found == wrong.end() || found->second != text)
-        todos.insert(todo);
-  }
+  for (const auto& [todo, text] : right)
+    if (const auto found = wrong.find(todo); found == wrong.end() || found->second != text)
+      todos.insert(todo);
   return todos;
 }
 
@@ -199,8 +206,9 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
   std::vector<check::Fault> faults;
   std::set<std::string> shown; // in an unfinished program
   std::map<std::string, std::set<std::string>> changed;
+  const auto right = blocksIn(source.assignment, source.solutions);
   for (const grading::Mistake& mistake : catalogue.mistakes)
-    changed[mistake.name] = changedBy(source, mistake.patch);
+    changed[mistake.name] = changedBy(source, mistake.patch, right);
   for (std::size_t k = 1; k < filled.size(); ++k) {
     const bool finished = k + 1 == filled.size();
     std::vector<const grading::Mistake*> mistakes;
@@ -219,13 +227,13 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
     std::vector<grading::Candidate> candidates;
     for (const grading::Mistake* mistake : mistakes) {
       const std::string group = mistake->same.empty() ? mistake->name : mistake->same;
-      std::set<std::string> others = changed.at(mistake->name);
-      others.erase(mistake->step);
+      std::set<std::string> also = changed.at(mistake->name);
+      also.erase(mistake->step);
       made.push_back({mistake->title,
                       mistake->hint,
                       mistake->experiment,
                       mistake->step,
-                      others,
+                      also,
                       k,
                       {},
                       {mistake->name, group, diagnosis::Run(expected.scenes.size())}});

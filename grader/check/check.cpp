@@ -31,11 +31,15 @@ namespace {
 constexpr std::size_t kMostCauses = 6;
 
 /// What is said once is enough.
+void addOnce(std::vector<std::string>& lines, const std::string& line) {
+  if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
+}
+
 std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& line) {
     const std::string clean = report::sanitizeLine(line);
-    if (!clean.empty() && std::ranges::find(lines, clean) == lines.end()) lines.push_back(clean);
+    if (!clean.empty()) addOnce(lines, clean);
   };
   std::istringstream output(rendering.happened.output);
   for (std::string line; std::getline(output, line);) add(line);
@@ -142,9 +146,8 @@ private:
       if (!happened[k].ok() && checked_.happened.ok()) {
         checked_.happened = happened[k];
         endedAt_ = expected_.scenes[scenes[k]].todo;
-        for (std::string& message : messages[k]) // its last words
-          if (std::ranges::find(checked_.messages, message) == checked_.messages.end())
-            checked_.messages.push_back(std::move(message));
+        for (const std::string& message : messages[k]) // its last words
+          addOnce(checked_.messages, message);
       }
   }
 
@@ -251,7 +254,7 @@ private:
         suspect.todo = observed_.todo;
         suspect.isGuess = !observed_.isSure;
       } else {
-        suspect.others = others_;
+        suspect.also = also_;
       }
       suspect.isExplained = !checked_.cause.empty() || !observed_.faults.empty() ||
                             !observed_.guess.empty() ||
@@ -262,11 +265,11 @@ private:
       }
     } else if (first) {
       suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one
-      suspect.others = expected_.scenes[first->scene].also;
+      suspect.also = expected_.scenes[first->scene].also;
       suspect.isGuess = true;
       if (begun_.count(observed_.todo)) { // of the public scene, which hardly shows it
         suspect.todo = observed_.todo;
-        suspect.others.clear();
+        suspect.also.clear();
         suspect.isExplained = true;
       }
       checked_.cause =
@@ -379,9 +382,9 @@ private:
   /// Names the known mistakes that show the same in one scene, in `cause` and `hint`: ones made
   /// just now, else ones in the finished program (whose window may be like an unfinished one's
   /// that is right); in `resemblance_`, what is only like one. Returns the TODO of the first;
-  /// empty: none is known. Those of the others go into `others_`.
+  /// empty: none is known. Those of the others go into `also_`.
   std::string likeliest(std::size_t scene) {
-    others_.clear();
+    also_.clear();
     const KnownMistakes known(expected_, shown_, begun_, step_);
     const std::vector<const Fault*> faults = known.like(scene);
     if (faults.empty() || faults.size() > kMostCauses) return {};
@@ -393,7 +396,7 @@ private:
       checked_.cause =
           say("it may be one of these {} mistakes, which look alike so far", faults.size());
       for (const Fault* fault : faults) {
-        others_.insert(fault->todo);
+        also_.insert(fault->todo);
         checked_.titles.emplace_back(words(fault->title));
         checked_.hint += fmt::format("{}- {}\n  {}", checked_.hint.empty() ? "" : "\n",
                                      words(fault->title), words(fault->hint));
@@ -401,8 +404,8 @@ private:
           checked_.hint += "\n  " + say("To find out: {}", words(fault->experiment));
       }
     }
-    for (const Fault* fault : faults) others_.insert(fault->others.begin(), fault->others.end());
-    others_.erase(faults[0]->todo);
+    for (const Fault* fault : faults) also_.insert(fault->also.begin(), fault->also.end());
+    also_.erase(faults[0]->todo);
     return faults[0]->todo;
   }
 
@@ -546,7 +549,7 @@ private:
   diagnosis::Facts facts_;
   std::vector<channel::CapturedMessage> glMessages_; // of the public scene
   Observed observed_;                                // likewise
-  std::set<std::string> others_; // TODOs of mistakes that show the same as the likeliest one
+  std::set<std::string> also_; // TODOs of mistakes that show the same as the likeliest one
   std::string endedAt_;     // the TODO in whose scene, not the public one, the program ended early
   std::string change_;      // what turns the right picture into the wrong one
   std::string resemblance_; // to a known mistake

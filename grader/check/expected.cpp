@@ -104,7 +104,7 @@ void save(const Expected& expected, const fs::path& folder) {
     faults.push_back({{"title", fault.title},
                       {"hint", fault.hint},
                       {"experiment", fault.experiment},
-                      {"others", fault.others},
+                      {"also", fault.also},
                       {"todo", fault.todo},
                       {"step", fault.step},
                       {"scenes", fault.scenes},
@@ -160,7 +160,7 @@ Expected load(const fs::path& folder) {
                                  one.at("hint"),
                                  one.at("experiment"),
                                  one.at("todo"),
-                                 one.at("others"),
+                                 one.at("also"),
                                  one.at("step"),
                                  one.at("scenes"),
                                  {name, one.at("group"), {}}});

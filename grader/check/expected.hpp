@@ -36,7 +36,7 @@ struct Fault {
   std::string title, hint;
   std::string experiment;            ///< that tells it from what looks like it; or empty
   std::string todo;                  ///< in which it is made
-  std::set<std::string> others = {}; ///< in whose places it may be made, too
+  std::set<std::string> also = {};   ///< in whose places it may be made, too
   std::size_t step = 0;              ///< TODOs that the program has done, this one included
   std::set<std::size_t> scenes = {}; ///< in which it is known what it shows
   /// What was read from a file has no pictures yet, see `viewsOf`.

@@ -260,6 +260,9 @@ public:
 
 private:
   bool isBegun(const Row& row) const { return begun_.count(row.todo) > 0; }
+  bool isNamed(const Row& row) const { return row.todo == suspect_.todo; }
+  /// Is the first wrong picture one of a scene that was not handed out?
+  bool isInAnother() const { return wrong_ && judging_.isAnother(*wrong_); }
   /// Of an unfinished program the last step was not looked at before.
   bool isLastOfUnfinished(std::size_t k) const {
     return k == should_ && should_ + 1 < judging_.steps();
@@ -294,7 +297,7 @@ private:
     double most = -1;
     for (std::size_t k = 1; k < judging_.steps(); ++k) {
       Row& row = all_[k - 1];
-      if (row.todo == suspect_.todo && row.state != State::notBegun &&
+      if (isNamed(row) && row.state != State::notBegun &&
           (suspect_.isExplained || windows_.empty()) && (k <= gap_ || suspect_.isSure))
         return &row;
       if (row.state != State::waits || k > gap_ || !first_[k]) continue;
@@ -355,10 +358,9 @@ private:
   }
 
   void blame(Row& culprit) {
-    const bool isNamed = culprit.todo == suspect_.todo;
-    const bool isAnother = wrong_ && judging_.isAnother(*wrong_);
     // A scene that is there for a TODO shows that, and those that it names.
-    const std::set<std::string> drawing = isNamed && isAnother ? suspect_.others : this->drawing();
+    const std::set<std::string> drawing =
+        isNamed(culprit) && isInAnother() ? suspect_.also : this->drawing();
     std::set<std::string> waiting;
     for (const Row& row : all_)
       if (row.state == State::waits) waiting.insert(row.todo);
@@ -374,7 +376,7 @@ private:
       if (gap_ <= should_) return; // a step that was left out explains it
       Row* last = &culprit;
       for (Row& row : all_)
-        if (isAnother && isBegun(row) && drawing.count(row.todo)) last = std::max(last, &row);
+        if (isInAnother() && isBegun(row) && drawing.count(row.todo)) last = std::max(last, &row);
       last->state = State::nearly;
       return;
     }
@@ -405,24 +407,23 @@ private:
   ///   drawing: what is wrong;  waiting: of these no picture is right
   void doubt(Row& culprit, const std::set<std::string>& drawing,
              const std::set<std::string>& waiting, bool inWindows) {
-    const bool isAnother = wrong_ && judging_.isAnother(*wrong_);
-    const bool isNamed = culprit.todo == suspect_.todo;
+    const bool isKnown = isNamed(culprit) && !suspect_.isGuess;
     const bool isLast = isLastOfUnfinished(indexOf(culprit));
     const auto mayBe = [&](const std::set<std::string>& todos) {
       for (Row& row : all_)
         if (&row == &culprit || (row.state != State::notBegun && todos.count(row.todo)))
           row.state = State::maybe;
     };
-    if (isNamed && !suspect_.others.empty() && !suspect_.isGuess) return mayBe(suspect_.others);
-    if (!wrong_ || (isNamed && !suspect_.isGuess) || !(inWindows || suspect_.isGuess)) return;
-    if (isLast && !suspect_.isLater && !isAnother) {
+    if (isKnown && !suspect_.also.empty()) return mayBe(suspect_.also);
+    if (!wrong_ || isKnown || !(inWindows || suspect_.isGuess)) return;
+    if (isLast && !suspect_.isLater && !isInAnother()) {
       std::set<std::string> earlier = shownFirstHere();
       earlier.erase(culprit.todo);
       if (!earlier.empty()) mayBe(earlier);
       return;
     }
     mayBe(suspect_.isLater ? begun_ : drawing);
-    mayBe(suspect_.others);
+    mayBe(suspect_.also);
     mayBe({suspect_.todo});
     // A step before may have another scene's picture wrong, which doesn't come of this one.
     for (std::size_t k = 1; &all_[k - 1] < &culprit; ++k)

@@ -45,7 +45,7 @@ struct Suspect {
   bool isSure = false;      ///< also where a step before it was left out
   /// First frames are right, so pictures don't tell whose fault later ones are.
   bool isLater = false;
-  std::set<std::string> others{};   ///< TODOs that are as likely
+  std::set<std::string> also{};     ///< TODOs that are as likely
   std::set<std::string> spoiling{}; ///< those with known mistakes whose first wrong picture is this
 };
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <functional>
 #include <thread>
 
 #include <gg/gg.hpp> // last: from here on, calls are placed
@@ -421,33 +422,28 @@ TEST_P(Doctor, DepthIsClearedUnderAMask) {
 }
 
 TEST_P(Doctor, ColoursAreNotCleared) {
-  EXPECT_THAT(frame([&](gg::Window&) {
-                const gg::Program red = triangle();
-                glEnable(GL_DEPTH_TEST);
-                glClear(GL_DEPTH_BUFFER_BIT);
-                red.use();
-                glDrawArrays(GL_TRIANGLES, 0, 9);
-              }),
+  // Depths alone are cleared before so many vertices are drawn.
+  const auto frameOf = [&](GLsizei vertices, const std::function<void()>& after) {
+    return frame([&](gg::Window&) {
+      const gg::Program red = triangle();
+      glEnable(GL_DEPTH_TEST);
+      glClear(GL_DEPTH_BUFFER_BIT);
+      red.use();
+      glDrawArrays(GL_TRIANGLES, 0, vertices);
+      after();
+    });
+  };
+  const auto nothing = [] {};
+  EXPECT_THAT(frameOf(9, nothing),
               HasSubstr("the colours of the window are not cleared before objects are drawn"));
-  EXPECT_THAT(frame([&](gg::Window&) {
-                const gg::Program red = triangle();
-                glEnable(GL_DEPTH_TEST);
-                glClear(GL_DEPTH_BUFFER_BIT);
-                red.use();
-                glDrawArrays(GL_TRIANGLES, 0, 9);
+  EXPECT_THAT(
+      frameOf(9,
+              [] {
                 glClear(GL_COLOR_BUFFER_BIT);
                 draw();
               }),
-              HasSubstr("objects are drawn into the window, and its colours are cleared after that"));
-  EXPECT_EQ(frame([&](gg::Window&) {
-              const gg::Program red = triangle();
-              glEnable(GL_DEPTH_TEST);
-              glClear(GL_DEPTH_BUFFER_BIT);
-              red.use();
-              draw();
-            }),
-            "")
-      << "it may cover the window, and is no object";
+      HasSubstr("objects are drawn into the window, and its colours are cleared after that"));
+  EXPECT_EQ(frameOf(3, nothing), "") << "it may cover the window, and is no object";
 }
 
 TEST_P(Doctor, ATextureWithoutMipmaps) {

@@ -65,7 +65,7 @@ TEST(CheckExpected, IsReadAsItWasWritten) {
   ASSERT_EQ(all.faults.size(), 1u);
   EXPECT_EQ(all.faults[0].hint, "A hint");
   EXPECT_EQ(all.faults[0].experiment, "A test");
-  EXPECT_THAT(all.faults[0].others, ElementsAre("mirror.2"));
+  EXPECT_THAT(all.faults[0].also, ElementsAre("mirror.2"));
   EXPECT_EQ(all.faults[0].step, 1u);
   EXPECT_THAT(all.faults[0].scenes, ElementsAre(0, 1));
   EXPECT_EQ(all.frustum.todo, "mirror.1");

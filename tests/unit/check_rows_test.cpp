@@ -178,7 +178,8 @@ TEST(CheckRows, WhatIsWrongInAnotherSceneAloneIsTheOnesThatChangesItThere) {
   SceneViews wrong = right;
   wrong.windows[0] = diagnosis::reduced(painted(kClipped, 0, 0.6f, 0.35f, 1, 0.9f), 3);
   EXPECT_EQ(letters(rows(all, {right, right}, first(5))), "ddddd");
-  EXPECT_EQ(letters(rows(all, {right, wrong}, first(5))), "mdmmm") << "all but the one that is right there";
+  EXPECT_EQ(letters(rows(all, {right, wrong}, first(5))), "mdmmm")
+      << "all but the one that is right there";
   EXPECT_EQ(letters(rows(all, {right, wrong}, first(5), {"m.2"})), "dwddd");
   SceneViews pass = right;
   pass.passes[0].picture = diagnosis::reduced(kEmpty, 3);
@@ -200,7 +201,7 @@ TEST(CheckRows, SeveralMayBeWrongWhereOnlyAGuessOrALaterFrameTells) {
   EXPECT_EQ(states(black, first(3), later), "mmmnn");
   // Two mistakes that show the same are known, of two steps.
   Suspect same{"m.3", true};
-  same.others = {"m.2", "m.5"};
+  same.also = {"m.2", "m.5"};
   EXPECT_EQ(states(black, first(4), same), "dmmtn");
 }
 
