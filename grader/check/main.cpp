@@ -33,7 +33,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenLooks{100};
 /// Files that are being saved are waited for so long, and looked at so often.
-constexpr std::chrono::milliseconds kQuiet{300}, kLongestSave{3000};
+constexpr std::chrono::milliseconds kQuiet{100}, kLongestSave{3000};
 constexpr int kMostLooks = 4;
 constexpr int kRight = 0, kWrong = 1, kUsage = 2, kInterrupted = 130;
 

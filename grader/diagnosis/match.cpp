@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace ggrade::diagnosis {
 
@@ -37,11 +38,10 @@ double mean(const Distances& distances) {
              : std::accumulate(distances.begin(), distances.end(), 0.0) / double(distances.size());
 }
 
-/// One picture of the reference with the same ones of two runs.
+/// One picture of the reference with the same one of a run.
 struct Cell {
   const Image* reference;
-  const Image* a;
-  const Image* b;
+  const Image* picture;
   bool window;
   Slot slot;
 };
@@ -55,13 +55,12 @@ const Image* windowAt(const SceneViews& scene, std::size_t frame) {
   return frame < scene.windows.size() ? &scene.windows[frame] : nullptr;
 }
 
-std::vector<Cell> cellsOf(const SceneViews& reference, const SceneViews& a, const SceneViews& b) {
+std::vector<Cell> cellsOf(const SceneViews& reference, const SceneViews& run) {
   std::vector<Cell> cells;
   for (const PassView& pass : reference.passes)
-    cells.push_back(
-        {&pass.picture, pictureAt(a, pass.slot), pictureAt(b, pass.slot), false, pass.slot});
+    cells.push_back({&pass.picture, pictureAt(run, pass.slot), false, pass.slot});
   for (std::size_t i = 0; i < reference.windows.size(); ++i)
-    cells.push_back({&reference.windows[i], windowAt(a, i), windowAt(b, i), true, {}});
+    cells.push_back({&reference.windows[i], windowAt(run, i), true, {}});
   return cells;
 }
 
@@ -70,11 +69,15 @@ bool equal(const Image* a, const Image* b) {
 }
 
 /// Is no value further from the other's than the tolerance?
+bool within(std::span<const float> a, std::span<const float> b) {
+  unsigned apart = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    apart |= unsigned(!(std::abs(a[i] - b[i]) <= kTolerance));
+  return apart == 0;
+}
+
 bool within(const Image& a, const Image& b) {
-  if (!sameSize(a, b) || a.channels() != b.channels()) return false;
-  for (std::size_t i = 0; i < a.values().size(); ++i)
-    if (!(std::abs(a.values()[i] - b.values()[i]) <= kTolerance)) return false;
-  return true;
+  return sameSize(a, b) && a.channels() == b.channels() && within(a.values(), b.values());
 }
 
 /// The slots of all scenes, in the order in which they are made.
@@ -106,15 +109,21 @@ std::vector<float> distance(const Image* a, const Image* b) {
   if (!a && !b) return {};
   if (!a || !b) return Distances((a ? a : b)->pixelCount(), 1.0f);
   if (a->channels() != b->channels()) return Distances(a->pixelCount(), 1.0f);
-  const Image fitted = resized(*b, a->width(), a->height());
+  const bool fits = sameSize(*a, *b);
+  const Image made = fits ? Image() : resized(*b, a->width(), a->height());
+  const Image& fitted = fits ? *b : made;
   const auto channels = std::size_t(a->channels());
   Distances distances;
   distances.reserve(a->pixelCount());
   NeighbourhoodRows around(*a, 1), aroundFitted(fitted, 1);
   for (int y = 0; y < a->height(); ++y) {
+    const auto rowA = a->row(y), rowB = fitted.row(y);
+    if (within(rowA, rowB)) { // nor is any neighbourhood further away
+      distances.insert(distances.end(), rowA.size() / channels, 0.0f);
+      continue;
+    }
     around.moveTo(y);
     aroundFitted.moveTo(y);
-    const auto rowA = a->row(y), rowB = fitted.row(y);
     for (std::size_t i = 0; i < rowA.size(); i += channels) {
       float most = 0;
       for (std::size_t c = i; c < i + channels; ++c)
@@ -184,31 +193,40 @@ std::optional<FirstWrong> firstWrong(const Run& student, const Run& reference, d
 
 namespace {
 
-/// From the reference to a, to b, and from a to b; all at the reference's size.
-struct ThreeWays {
-  Distances ours, theirs, between;
+/// A run's picture and how far it is from the reference's, at the reference's size; nothing where
+/// they are equal.
+struct Compared : Cell {
+  Distances distances;
+
+  bool isRight() const { return distances.empty(); }
 };
 
-ThreeWays threeWays(const Cell& cell) {
-  const Distances none(cell.reference->pixelCount(), 0.0f);
-  const bool rightA = equal(cell.a, cell.reference), rightB = equal(cell.b, cell.reference);
-  ThreeWays ways{rightA ? none : distance(cell.reference, cell.a),
-                 rightB ? none : distance(cell.reference, cell.b),
-                 {}};
-  if (rightA || rightB) {
-    ways.between = rightA ? ways.theirs : ways.ours;
-  } else if (cell.a && cell.b) {
-    const Image at = resized(*cell.a, cell.reference->width(), cell.reference->height());
-    ways.between = distance(&at, cell.b);
-  } else {
-    ways.between.assign(none.size(), cell.a || cell.b ? 1.0f : 0.0f);
+/// Of one scene each.
+using ComparedRun = std::vector<std::vector<Compared>>;
+
+ComparedRun compared(const Run& run, const Run& reference) {
+  ComparedRun all;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    all.emplace_back();
+    for (const Cell& cell : cellsOf(reference[i], run[i]))
+      all.back().push_back({cell, equal(cell.picture, cell.reference)
+                                      ? Distances()
+                                      : distance(cell.reference, cell.picture)});
   }
-  return ways;
+  return all;
 }
 
-} // namespace
+/// How far the pictures of two runs, not both right, are from each other, at the reference's size.
+Distances between(const Compared& a, const Compared& b) {
+  if (a.isRight() || b.isRight()) return a.isRight() ? b.distances : a.distances;
+  if (!a.picture || !b.picture)
+    return Distances(a.distances.size(), a.picture || b.picture ? 1.0f : 0.0f);
+  if (sameSize(*a.picture, *a.reference)) return distance(a.picture, b.picture);
+  const Image at = resized(*a.picture, a.reference->width(), a.reference->height());
+  return distance(&at, b.picture);
+}
 
-Likeness likeness(const Run& student, const Run& signature, const Run& reference) {
+Likeness likeness(const ComparedRun& student, const ComparedRun& signature, const Run& reference) {
   /// One pass over all scenes.
   struct Pass {
     Slot slot;
@@ -219,24 +237,26 @@ Likeness likeness(const Run& student, const Run& signature, const Run& reference
   std::vector<Pass> slots;
   for (const Slot& slot : slotsOf(reference)) slots.push_back({slot, 0, 0, {}});
   for (std::size_t i = 0; i < reference.size(); ++i) {
-    const std::vector<Cell> cells = cellsOf(reference[i], student[i], signature[i]);
-    const auto passes = std::ranges::count_if(cells, [](const Cell& cell) { return !cell.window; });
-    for (const Cell& cell : cells) {
-      if (equal(cell.a, cell.reference) && equal(cell.b, cell.reference)) continue;
-      const auto [ours, theirs, between] = threeWays(cell);
+    const auto passes = double(reference[i].passes.size());
+    for (std::size_t k = 0; k < student[i].size(); ++k) {
+      const Compared &ours = student[i][k], &theirs = signature[i][k];
+      if (ours.isRight() && theirs.isRight()) continue;
+      const Distances apart = between(ours, theirs);
       double wrong = 0;
-      for (std::size_t p = 0; p < ours.size(); ++p) wrong += double(std::max(ours[p], theirs[p]));
-      wrong /= double(ours.size());
-      const double unlike = mean(between);
-      if (cell.window) {
+      for (std::size_t p = 0; p < apart.size(); ++p)
+        wrong += double(std::max(ours.isRight() ? 0 : ours.distances[p],
+                                 theirs.isRight() ? 0 : theirs.distances[p]));
+      wrong /= double(apart.size());
+      const double unlike = mean(apart);
+      if (ours.window) {
         windows.add(wrong, unlike);
         all.add(wrong, unlike);
         continue;
       }
-      all.add(wrong, unlike, kPasses / double(passes));
-      const auto pass = std::ranges::find(slots, cell.slot, &Pass::slot);
-      pass->ours = std::max(pass->ours, mean(ours));
-      pass->theirs = std::max(pass->theirs, mean(theirs));
+      all.add(wrong, unlike, kPasses / passes);
+      const auto pass = std::ranges::find(slots, ours.slot, &Pass::slot);
+      pass->ours = std::max(pass->ours, mean(ours.distances));
+      pass->theirs = std::max(pass->theirs, mean(theirs.distances));
       pass->sum.add(wrong, unlike);
     }
   }
@@ -247,6 +267,12 @@ Likeness likeness(const Run& student, const Run& signature, const Run& reference
   const bool both =
       first != slots.end() && first->ours >= kWrongShare && first->theirs >= kWrongShare;
   return {windows.mean(), all.mean(), both ? first->sum.mean() : 0};
+}
+
+} // namespace
+
+Likeness likeness(const Run& student, const Run& signature, const Run& reference) {
+  return likeness(compared(student, reference), compared(signature, reference), reference);
 }
 
 namespace {
@@ -282,10 +308,11 @@ std::optional<Identified> identifyBySlots(const Run& student, const KnownFaults&
                                           const Thresholds& thresholds,
                                           const std::vector<bool>& leftOut) {
   const auto& [reference, signatures] = known;
+  const ComparedRun ours = compared(student, reference);
   std::vector<Likeness> likes(signatures.size());
   for (std::size_t i = 0; i < signatures.size(); ++i)
     if (i >= leftOut.size() || !leftOut[i])
-      likes[i] = likeness(student, signatures[i].run, reference);
+      likes[i] = likeness(ours, compared(signatures[i].run, reference), reference);
   const auto groupOf = [&](std::size_t i) {
     return signatures[i].group.empty() ? signatures[i].name : signatures[i].group;
   };
@@ -324,7 +351,7 @@ std::optional<Identified> identifyBySlots(const Run& student, const KnownFaults&
     return found;
   };
   if (auto found = by(&Likeness::all, Identified::By::everything, thresholds.like)) return found;
-  const std::optional<FirstWrong> ours = firstWrong(student, reference);
+  const std::optional<FirstWrong> wrong = firstWrong(student, reference);
   if (auto found = windowsShowNothing(student)
                        ? std::nullopt
                        : by(&Likeness::windows, Identified::By::windows, thresholds.like)) {
@@ -332,10 +359,10 @@ std::optional<Identified> identifyBySlots(const Run& student, const KnownFaults&
     const bool onlyInWindow = !theirs || !theirs->slot;
     const bool elsewhere = !onlyInWindow && !passIsRight(student, *theirs, reference) &&
                            found->likeness >= thresholds.same;
-    if (likes[found->signature].first >= 0.5 || (!passIsLost(ours) && (onlyInWindow || elsewhere)))
+    if (likes[found->signature].first >= 0.5 || (!passIsLost(wrong) && (onlyInWindow || elsewhere)))
       return found;
   }
-  if (passShowsNothing(student, ours)) return std::nullopt;
+  if (passShowsNothing(student, wrong)) return std::nullopt;
   return by(&Likeness::first, Identified::By::firstPass, thresholds.firstLike);
 }
 
