@@ -98,13 +98,14 @@ std::vector<const Fault*> KnownMistakes::like(std::size_t scene, std::size_t ste
         !isWrongBefore(*faults[i], scene))
       same.push_back(faults[i]);
   }
-  keepLatest(same);
+  sort(same);
   return same;
 }
 
-/// What showed after an earlier step was looked at then; of those that nothing tells apart, the
-/// latest step is the likelier one; and two of one group are one mistake.
-void KnownMistakes::keepLatest(std::vector<const Fault*>& faults) const {
+/// In an unfinished program what showed after an earlier step was looked at then: of those that
+/// nothing tells apart, the latest step is the likelier one. A finished one may never have been
+/// looked at. And two of one group are one mistake.
+void KnownMistakes::sort(std::vector<const Fault*>& faults) const {
   const auto firstShown = [&](const Fault* fault) {
     std::size_t first = fault->step;
     for (const Fault& other : expected_.faults)
@@ -113,7 +114,8 @@ void KnownMistakes::keepLatest(std::vector<const Fault*>& faults) const {
   };
   std::size_t latest = 0;
   for (const Fault* fault : faults) latest = std::max(latest, firstShown(fault));
-  std::erase_if(faults, [&](const Fault* fault) { return firstShown(fault) != latest; });
+  if (step_ < expected_.todos.size())
+    std::erase_if(faults, [&](const Fault* fault) { return firstShown(fault) != latest; });
   std::ranges::stable_sort(faults, std::ranges::greater(), [&](const Fault* fault) {
     return std::ranges::find(expected_.todos, fault->todo) - expected_.todos.begin();
   });

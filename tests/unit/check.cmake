@@ -5,6 +5,7 @@ ggrade_test(check_test unit
     ${CMAKE_CURRENT_LIST_DIR}/check_expected_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/check_frustum_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/check_hints_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/check_known_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/check_places_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/check_rows_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/check_state_test.cpp

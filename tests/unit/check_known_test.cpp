@@ -1,0 +1,79 @@
+#include "check/known.hpp"
+#include "diagnosis_samples.hpp"
+#include "framework_temporary_folder.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace ggrade;
+using namespace ggrade::check;
+using diagnosis::SceneViews;
+using diagnosis::samples::painted;
+using testing::ElementsAre;
+
+namespace {
+
+SceneViews windowOf(const Image& window) {
+  SceneViews views;
+  views.windows = {diagnosis::reduced(window, 3)};
+  views.width = window.width();
+  views.height = window.height();
+  return views;
+}
+
+const Image kNothingDone = diagnosis::samples::scene();
+const Image kFirstDone = painted(kNothingDone, 0.1f, 0.1f, 0.3f, 0.3f, 0.9f);
+const Image kBothDone = painted(kFirstDone, 0.6f, 0.6f, 0.9f, 0.9f, 0.05f);
+const SceneViews kWrongEnd = windowOf(painted(kBothDone, 0.1f, 0.1f, 0.9f, 0.3f, 0.2f));
+
+/// Two steps. A mistake of the first one, which shows in it, looks in the end like one of the
+/// second.
+Expected twoSteps() {
+  Expected all;
+  all.assignment = "floor";
+  all.part = "mirror";
+  all.todos = {"mirror.1", "mirror.2"};
+  all.scenes = {{"public", {}, {0}, "", false}};
+  all.steps = {{windowOf(kNothingDone)}, {windowOf(kFirstDone)}, {windowOf(kBothDone)}};
+  all.reference = all.steps.back();
+  const auto fault = [&](const std::string& name, const std::string& todo, std::size_t step,
+                         const SceneViews& views) {
+    all.faults.push_back({name, "A hint", "", todo, {}, step, {0}, {name, name, {views}}});
+  };
+  fault("early", "mirror.1", 1, windowOf(painted(kNothingDone, 0.1f, 0.1f, 0.9f, 0.3f, 0.2f)));
+  fault("early", "mirror.1", 2, kWrongEnd);
+  fault("late", "mirror.2", 2, kWrongEnd);
+  return all;
+}
+
+std::vector<std::string> titles(const std::vector<const Fault*>& faults) {
+  std::vector<std::string> all;
+  for (const Fault* fault : faults) all.push_back(fault->title);
+  return all;
+}
+
+/// As `twoSteps` says, read from a folder, where pictures of faults are.
+class CheckKnown : public testing::Test {
+protected:
+  std::vector<std::string> like(const Expected& made) const {
+    save(made, folder_.path());
+    const Expected all = load(folder_.path());
+    const Shown shown{kWrongEnd};
+    return titles(KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).like(0));
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(CheckKnown, AFinishedProgramMayHaveAnOldMistake) {
+  EXPECT_THAT(like(twoSteps()), ElementsAre("late", "early"));
+}
+
+TEST_F(CheckKnown, OfAnUnfinishedOneTheLastStepIsWhatWasMadeJustNow) {
+  Expected all = twoSteps();
+  all.todos.push_back("mirror.3");
+  all.steps.push_back({windowOf(painted(kBothDone, 0.4f, 0.4f, 0.5f, 0.5f, 0.7f))});
+  all.reference = all.steps.back();
+  EXPECT_THAT(like(all), ElementsAre("late"));
+}
+
+} // namespace
