@@ -93,7 +93,7 @@ void writeAssignment(const HandedOut& handedOut, gg::Language comments, const fs
   writeSources(assignment, solutions, handedOut.filled, comments, folder);
   for (const std::string& file : assignment.files) markDone(folder / file, handedOut.filled);
   std::vector<Part> parts = handedOut.parts;
-  if (parts.size() > 1) parts.push_back(check::togetherOf(assignment));
+  if (check::hasTogether(assignment)) parts.push_back(check::togetherOf(assignment));
   for (const Part& part : parts) {
     const fs::path expected = kit / "expected" / part.id;
     writeExpected(assignment, part, solutions, handedOut.blank, expected, progress);

@@ -228,7 +228,14 @@ private:
         }
       first = diagnosis::firstWrong(student, should);
       if (!first) continue;
-      first->scene = scenes[first->scene];
+      // Of the scenes in which that picture is wrong the first, not the one where most of it is.
+      for (std::size_t i = 0; i < scenes.size(); ++i)
+        if (auto here = diagnosis::firstWrong({student[i]}, {should[i]});
+            here && here->slot == first->slot) {
+          first = here;
+          first->scene = scenes[i];
+          break;
+        }
       break;
     }
     Suspect suspect;
@@ -249,7 +256,7 @@ private:
       suspect.isSure = !checked_.cause.empty() || observed_.isSure;
       suspect.isGuess = checked_.cause.empty();
       if (suspect.isGuess)
-        suspect.spoiling = KnownMistakes(expected_, shown_, begun_, step_).spoiling(*first);
+        suspect.spoiling = KnownMistakes(expected_, shown_, begun_, step_).spoiling(first->slot);
       if ((checked_.cause.empty() || observed_.isSure) && begun_.count(observed_.todo)) {
         suspect.todo = observed_.todo;
         suspect.isGuess = !observed_.isSure;
@@ -282,16 +289,7 @@ private:
     }
     checked_.rows = rows(expected_, shown_, begun_, suspect);
     blameStorage();
-    // Each effect is right, so all of them may be so in another way: no picture says that they
-    // aren't.
-    if (isTogether(expected_) && !suspect.isExplained)
-      for (Row& row : checked_.rows)
-        if (row.state == State::wrong || row.state == State::maybe) {
-          row.state = State::nearly;
-          checked_.cause = say("each effect is right alone; where all are drawn, does one leave a "
-                               "state, a texture unit or a framebuffer that the next one doesn't "
-                               "expect?");
-        }
+    if (isTogether(expected_)) settleTogether(suspect.isExplained);
     // A call that fails does nothing, whether that is seen already or not.
     if (checked_.happened.outcome == results::Outcome::glError && allRight(checked_.rows)) {
       Row* last = nullptr;
@@ -315,6 +313,18 @@ private:
     } else if (first) {
       describe(*first);
     }
+  }
+
+  /// Each effect is right, so all of them may be so in another way: where nothing but pictures
+  /// tells of a mistake, it is none. Of one TODO there is no other one to doubt.
+  void settleTogether(bool isExplained) {
+    Row& row = checked_.rows.front();
+    if (row.state != State::wrong && row.state != State::maybe) return;
+    row.state = isExplained ? State::wrong : State::nearly;
+    if (!isExplained)
+      checked_.cause = say("each effect is right alone; where all are drawn, does one leave a "
+                           "state, a texture unit or a framebuffer that the next one doesn't "
+                           "expect?");
   }
 
   /// A texture of another size is made in the step before those that draw into it, and nobody sees

@@ -60,8 +60,13 @@ struct Expected {
   std::filesystem::path folder; ///< where it was read from
 };
 
-/// All effects of an assignment of several parts in one picture, as a part whose one TODO is begun
-/// once every part is done. Its ID, and its TODO's, is the assignment's.
+/// Has an assignment several parts, whose effects one picture can show? Where only some are to be
+/// done, the others come filled in.
+inline bool hasTogether(const Assignment& assignment) {
+  return assignment.parts.size() > 1;
+}
+/// All of these effects, as a part whose one TODO is begun once every part is done. Its ID, and its
+/// TODO's, is the assignment's.
 Part togetherOf(const Assignment& assignment);
 inline bool isTogether(const Expected& expected) {
   return expected.part == expected.assignment && expected.todos.size() == 1 &&

@@ -46,15 +46,17 @@ bool KnownMistakes::isExactly(const Fault& fault, std::size_t scene) const {
   return showsTheSame(viewsOf(fault, scene), *shown_[scene]);
 }
 
-std::set<std::string> KnownMistakes::spoiling(const diagnosis::FirstWrong& picture) const {
-  const SceneViews& should = expected_.steps[step_][picture.scene];
+std::set<std::string> KnownMistakes::spoiling(const std::optional<diagnosis::Slot>& slot) const {
   std::set<std::string> todos;
   for (const Fault& fault : expected_.faults) {
-    if (fault.step != step_ || !fault.scenes.count(picture.scene) || todos.count(fault.todo))
-      continue;
-    const auto first = diagnosis::firstWrong({viewsOf(fault, picture.scene)}, {should});
-    if (first && first->slot == picture.slot && first->frame == picture.frame)
+    if (fault.step != step_ || todos.count(fault.todo)) continue;
+    for (const std::size_t scene : fault.scenes) {
+      const auto first =
+          diagnosis::firstWrong({viewsOf(fault, scene)}, {expected_.steps[step_][scene]});
+      if (!first || first->slot != slot) continue;
       todos.insert(fault.todo);
+      break;
+    }
   }
   return todos;
 }

@@ -23,9 +23,9 @@ public:
   /// Does this one show the very same in that scene?
   bool isExactly(const Fault& fault, std::size_t scene) const;
 
-  /// TODOs of those of which, in a program that has come as far, that picture is the first wrong
-  /// one of its scene.
-  std::set<std::string> spoiling(const diagnosis::FirstWrong& picture) const;
+  /// TODOs of those of which, in a program that has come as far, such a picture is the first wrong
+  /// one of some scene: that of a pass, or, if nothing, the window.
+  std::set<std::string> spoiling(const std::optional<diagnosis::Slot>& slot) const;
 
 private:
   std::vector<const Fault*> like(std::size_t scene, std::size_t step) const;

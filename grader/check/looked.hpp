@@ -54,8 +54,8 @@ std::string pictureOf(const Looked& looked);
 std::string outcomeOf(const Checked& checked);
 
 /// The file and the heading of the handout's step to read now: that of `rowToLookAt`; what to do
-/// when all is done; empty where nothing was drawn.
-std::string stepToRead(const Looked& looked);
+/// when all is done, of the last part that was looked at; else empty.
+std::string stepToRead(const Looked& looked, bool isLast);
 
 /// The places of `rowToLookAt`, as an editor lists them; the first one says what it is.
 std::vector<Problem> todoProblems(const Looked& looked);

@@ -117,17 +117,20 @@ public:
     const fs::path expected = options.expected.empty()
                                   ? fs::path(toolchain::kSourceFolder) / "expected"
                                   : fs::path(options.expected);
+    std::size_t handedOut = 0; // parts
+    for (const Part& part : target_.assignment.parts)
+      if (fs::exists(expected / part.id)) ++handedOut;
     for (const Part& part : target_.parts)
       if (fs::exists(expected / part.id)) {
         expected_.push_back(load(expected / part.id));
         gg::addWords(wordsFile(expected / part.id));
         parts_.push_back(&part);
       }
-    // Looked at where the whole assignment is named, and a picture can show it.
-    if (target_.id == target_.assignment.id && parts_.size() > 1 &&
-        fs::exists(expected / target_.id)) {
+    // Looked at where all that is to be done is named, and a picture can show it.
+    const fs::path all = expected / target_.assignment.id;
+    if (hasTogether(target_.assignment) && parts_.size() == handedOut && fs::exists(all)) {
       together_ = togetherOf(target_.assignment);
-      expectedTogether_ = load(expected / target_.id);
+      expectedTogether_ = load(all);
     }
     if (parts_.empty())
       throw UsageError(say("{} doesn't say what to expect of {}: is this kit whole, and is {} one "
@@ -366,7 +369,8 @@ int run(int argc, char** argv) {
   app.add_option("--lang", options.language, say("en or ja (default: by GG_LANG, else LANG)"))
       ->check(CLI::IsMember({"en", "ja"}));
   app.add_option("--format", options.format,
-                 say("text, whose lines editors understand, or json, which has everything"))
+                 say("text, whose lines editors understand, or json, for programs: states, places, "
+                     "cause, hints"))
       ->check(CLI::IsMember({"text", "json"}));
   app.add_flag("--json", options.json, say("The same as --format json"));
   app.add_option("--expected", options.expected, say("What to compare with"))->group("");

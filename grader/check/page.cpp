@@ -63,7 +63,7 @@ std::string purposeShown(const Looked& looked, const Row& row) {
   return purpose == words(todoOf(*looked.part, row.todo).title) ? std::string() : purpose;
 }
 
-json partOf(const Looked& looked) {
+json partOf(const Looked& looked, bool isLast) {
   const Checked& checked = looked.checked;
   const results::Outcome outcome = checked.happened.outcome;
   json rows = json::array(), pictures = json::array(), wrong = json::array();
@@ -112,7 +112,7 @@ json partOf(const Looked& looked) {
           {"cause", withPaths(checked.cause, looked.folder)},
           {"look", lookOf(checked)},
           {"hint", withPaths(checked.hint, looked.folder)},
-          {"step", sanitizeLine(stepToRead(looked))},
+          {"step", sanitizeLine(stepToRead(looked, isLast))},
           {"places", std::move(places)},
           {"wrongPlace", checked.firstWrong ? sanitizeLine(pictureOf(looked)) : ""},
           {"messages", report::linesOf(messages)},
@@ -129,7 +129,7 @@ json partOf(const Looked& looked) {
 
 std::string page(const std::string& title, const std::vector<Looked>& all, bool watched) {
   json parts = json::array();
-  for (const Looked& looked : all) parts.push_back(partOf(looked));
+  for (const Looked& looked : all) parts.push_back(partOf(looked, &looked == &all.back()));
   return report::renderPage(
       {report::templates::k_check_mustache, report::templates::k_check_js,
        report::templates::k_check_js_sha256, report::templates::k_check_css, true},

@@ -67,6 +67,7 @@ std::string causeOf(const Looked& looked, const std::string& ask) {
 
 /// Of the last step that is done, while nothing is wrong.
 std::string purposeOfLast(const Looked& looked) {
+  if (isTogether(*looked.expected)) return {};
   const Row* next = rowToLookAt(looked.checked);
   if (next && next->state != State::waits && next->state != State::notBegun) return {};
   const auto& rows = looked.checked.rows;
@@ -111,7 +112,7 @@ std::string table(const std::vector<Looked>& all, bool colour, const std::string
     }
     if (!isBuilt) out += ended(withPaths(checked.happened.output, looked.folder));
     out += purposeOfLast(looked);
-    if (const std::string step = stepToRead(looked); !step.empty())
+    if (const std::string step = stepToRead(looked, &looked == &all.back()); !step.empty())
       out += fmt::format("{}: {}\n", hasWrong(checked) ? words("Read again") : words("Next"), step);
   }
   return out;
