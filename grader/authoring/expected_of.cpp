@@ -453,7 +453,7 @@ void updateExpected(const Target& target, const fs::path& solutions, const fs::p
     fs::rename(work.path(), into / part.id);
   };
   for (const Part& part : target.parts) update(part, {part});
-  if (check::hasTogether(target.assignment)) update(check::togetherOf(target.assignment), target.parts);
+  if (target.parts.size() > 1) update(check::togetherOf(target.assignment), target.parts);
 }
 
 } // namespace ggrade::authoring
