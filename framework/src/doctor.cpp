@@ -371,12 +371,15 @@ void checkViewports(const glm::ivec2& window) {
     const std::array<GLint, 4>& viewport = *target.viewports.begin();
     if (viewport == std::array<GLint, 4>{0, 0, size.x, size.y}) continue;
     const bool isMoved = viewport[2] == size.x && viewport[3] == size.y;
-    find((isMoved ? say("the viewport of {} begins at ({}, {}). {}", nameOf(framebuffer),
-                        viewport[0], viewport[1], words("It should begin at (0, 0)"))
-                  : say("the viewport is {} x {} pixels, but {} is {} x {}. {}", viewport[2],
-                        viewport[3], nameOf(framebuffer), size.x, size.y,
-                        words("Is glViewport called after binding what is drawn into, and with its "
-                              "size? Or has that a wrong size?"))) +
+    const bool isNothing = viewport[2] == 0 || viewport[3] == 0;
+    find((isMoved
+              ? say("the viewport of {} begins at ({}, {}). {}", nameOf(framebuffer), viewport[0],
+                    viewport[1], words("It should begin at (0, 0)"))
+              : say("the viewport is {} x {} pixels, but {} is {} x {}. {}", viewport[2],
+                    viewport[3], nameOf(framebuffer), size.x, size.y,
+                    isNothing ? words("Is the size that it is given ever set?")
+                              : words("Is glViewport called after binding what is drawn into, and "
+                                      "with its size? Or has that a wrong size?"))) +
          target.viewportPlace);
   }
 }

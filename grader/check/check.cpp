@@ -441,7 +441,7 @@ private:
                                   expected_.scenes[first.scene].times[first.frame]);
     wrong.scene = first.scene;
     wrong.another = expected_.scenes[first.scene].another;
-    wrong.share = first.share;
+    wrong.share = first.differing;
     if (first.missing)
       wrong.missing = first.slot->stencil ? say("it holds only 0 at the frame's end")
                                           : say("the program draws no such picture");

@@ -116,8 +116,10 @@ std::string noteOf(const Checked& checked, const Row& row) {
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));
   if (row.state == State::maybe)
-    add(row.seen ? say("here, or in another step that may be")
-                 : say("no picture shows it by itself, and what stands on it is wrong"));
+    add(!row.seen ? say("no picture shows it by itself, and what stands on it is wrong")
+        : std::ranges::count(checked.rows, State::maybe, &Row::state) > 1
+            ? say("here, or in another step that may be")
+            : say("here, or in another step"));
   if (row.state == State::wrong || row.state == State::differs) {
     const std::string unseen = checked.cause.empty() ? unseenBefore(checked, row) : std::string();
     if (!unseen.empty())

@@ -431,8 +431,9 @@ private:
         all_[k - 1].state = State::maybe;
     // Of what they stand on nothing may have been seen before.
     for (std::size_t k = should_; k > 1; --k)
-      if (all_[k - 1].state == State::maybe && waiting.count(all_[k - 1].todo) &&
-          !all_[k - 2].seen && isBegun(all_[k - 2]))
+      if (all_[k - 1].state == State::maybe &&
+          (waiting.count(all_[k - 1].todo) || &all_[k - 1] == &culprit) && !all_[k - 2].seen &&
+          isBegun(all_[k - 2]))
         all_[k - 2].state = State::maybe;
   }
 

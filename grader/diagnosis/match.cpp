@@ -163,7 +163,10 @@ std::optional<FirstWrong> firstWrong(const Run& student, const Run& reference, d
     const Distances distances = distance(&theirs, ours);
     const double wrong = mean(distances);
     if (wrong < least || (first && wrong <= first->share)) return;
-    FirstWrong found{scene, slot, frame, ours == nullptr, wrong, 0.5, 0.5, width, height};
+    const auto differing = std::ranges::count_if(distances, [](float one) { return one > 0; });
+    FirstWrong found{
+        scene, slot, frame, ours == nullptr, wrong, double(differing) / double(distances.size()),
+        0.5,   0.5,  width, height};
     Mask wrongPixels(theirs.width(), theirs.height());
     for (int y = 0; y < theirs.height(); ++y)
       for (int x = 0; x < theirs.width(); ++x)

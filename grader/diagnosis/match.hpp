@@ -39,7 +39,8 @@ struct FirstWrong {
   std::optional<Slot> slot;  ///< nothing: only the window is wrong
   std::size_t frame = 0;     ///< of the window; of a pass always 0
   bool missing = false;      ///< the submission has no such picture
-  double share = 0;          ///< of its pixels
+  double share = 0;          ///< of its pixels, each by how far it is from right
+  double differing = 0;      ///< share of its pixels that differ at all
   double x = 0, y = 0;       ///< where most is wrong, 0 to 1 from the top left
   int width = 0, height = 0; ///< of the submission's picture, pixels; 0 where it is missing
 };

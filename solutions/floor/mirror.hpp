@@ -115,7 +115,7 @@ inline void restoreCulling() {
 //   Given:  `program`; `clip`: does the scene want it? (You need not ask.)
 //   Goal:   between these two functions, OpenGL clips by the distance that mirror.vert gives each
 //           vertex.
-//   Expect: sunken objects no longer stick out of the floor.            (mirror.md, step 6)
+//   Expect: what is sunken is no longer reflected above the floor.      (mirror.md, step 6)
 inline void beginClipping(const gg::Program& program, bool clip) {
   // BEGIN SOLUTION(mirror.6)
   program.set("uClip", clip);

@@ -231,6 +231,18 @@ TEST_P(Doctor, AViewportThatDoesNotFit) {
             ResultOf(lines, 1)));
 }
 
+TEST_P(Doctor, AViewportOfNoSize) {
+  EXPECT_THAT(frame([&](gg::Window&) {
+                const gg::Program red = triangle();
+                red.use();
+                glViewport(0, 0, 0, 32);
+                clear();
+                draw();
+              }),
+              StartsWith("frame doctor: the viewport is 0 x 32 pixels, but the window is 32 x 32. "
+                         "Is the size that it is given ever set? (framework_doctor_test.cpp:"));
+}
+
 TEST_P(Doctor, AViewportThatIsMoved) {
   EXPECT_THAT(frame([&](gg::Window&) {
                 const gg::Program red = triangle();
