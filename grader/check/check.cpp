@@ -213,8 +213,32 @@ private:
   }
 
   void judge(const fs::path& program) {
-    // Another scene tells something only where those that were handed out are right.
-    std::optional<diagnosis::FirstWrong> first;
+    const std::optional<diagnosis::FirstWrong> first = firstWrong();
+    Suspect suspect;
+    if (first)
+      suspect = expected_.scenes[first->scene].another ? suspectInAnother(*first)
+                                                       : suspectInHandedOut(*first, program);
+    checked_.rows = rows(expected_, shown_, begun_, suspect);
+    blameStorage();
+    if (isTogether(expected_)) settleTogether(suspect.isExplained);
+    // A call that fails does nothing, whether that is seen already or not.
+    if (checked_.happened.outcome == results::Outcome::glError && allRight(checked_.rows))
+      blameLast(observed_.todo);
+    // It ended early in a scene that was not handed out.
+    if (!checked_.happened.ok() && allRight(checked_.rows)) blameLast(endedAt_);
+    // Right is what the windows show, however the passes are made.
+    if (allRight(checked_.rows)) {
+      checked_.cause.clear();
+      checked_.hint.clear();
+      countVertices();
+    } else if (first) {
+      describe(*first);
+    }
+  }
+
+  /// The first wrong picture. Another scene tells something only where those that were handed out
+  /// are right.
+  std::optional<diagnosis::FirstWrong> firstWrong() const {
     for (const bool another : {false, true}) {
       diagnosis::Run student, should;
       std::vector<std::size_t> scenes;
@@ -226,93 +250,81 @@ private:
           // There only windows count: passes may be made in another way.
           if (another) student.back().passes.clear(), should.back().passes.clear();
         }
-      first = diagnosis::firstWrong(student, should);
-      if (!first) continue;
+      const auto most = diagnosis::firstWrong(student, should);
+      if (!most) continue;
       // Of the scenes in which that picture is wrong the first, not the one where most of it is.
       for (std::size_t i = 0; i < scenes.size(); ++i)
         if (auto here = diagnosis::firstWrong({student[i]}, {should[i]});
-            here && here->slot == first->slot) {
-          first = here;
-          first->scene = scenes[i];
-          break;
+            here && here->slot == most->slot) {
+          here->scene = scenes[i];
+          return here;
         }
-      break;
     }
+    return std::nullopt;
+  }
+
+  Suspect suspectInHandedOut(const diagnosis::FirstWrong& first, const fs::path& program) {
     Suspect suspect;
-    if (first && !expected_.scenes[first->scene].another) {
-      suspect.todo = likeliest(first->scene);
-      // Of a TODO's own scene it isn't known what all mistakes of other TODOs show.
-      for (std::size_t i = 0; i < shown_.size() && suspect.todo.empty(); ++i)
-        if (i != first->scene && shown_[i] && !expected_.scenes[i].another &&
-            (i == 0 || diagnosis::firstWrong({*shown_[i]}, {expected_.steps[step_][i]})))
-          suspect.todo = likeliest(i);
-      // One picture of one colour looks like the next, of windows even more than of textures; and
-      // what is observed may explain all.
-      const Image* wrong = pictureOf(*shown_[first->scene], *first);
-      const bool isAlone = checked_.titles.empty(); // a list is a doubt already
-      if (observed_.isState ||
-          ((isAlone || !first->slot) && (!wrong || diagnosis::isOneColour(*wrong))))
-        doubtCatalogue();
-      suspect.isSure = !checked_.cause.empty() || observed_.isSure;
-      suspect.isGuess = checked_.cause.empty();
-      if (suspect.isGuess)
-        suspect.spoiling = KnownMistakes(expected_, shown_, begun_, step_).spoiling(first->slot);
-      if ((checked_.cause.empty() || observed_.isSure) && begun_.count(observed_.todo)) {
-        suspect.todo = observed_.todo;
-        suspect.isGuess = !observed_.isSure;
-      } else {
-        suspect.also = also_;
-      }
-      suspect.isExplained = !checked_.cause.empty() || !observed_.faults.empty() ||
-                            !observed_.guess.empty() ||
-                            checked_.happened.outcome == results::Outcome::glError;
-      if (!suspect.isExplained && suspect.todo.empty() && isWrongLater(*first)) {
-        suspect.isLater = true;
-        checked_.cause = laterCause(program, *first);
-      }
-    } else if (first) {
-      suspect.todo = expected_.scenes[first->scene].todo; // it is there for this one
-      suspect.also = expected_.scenes[first->scene].also;
-      suspect.isGuess = true;
-      if (begun_.count(observed_.todo)) { // of the public scene, which hardly shows it
-        suspect.todo = observed_.todo;
-        suspect.also.clear();
-        suspect.isExplained = true;
-      }
-      checked_.cause =
-          isWrongLater(*first)
-              ? say("Each first frame is right, and the one after it isn't: is something that a "
-                    "frame changes not put back, not cleared, or made only once?")
-              : say("It is right in the handed-out scenes, or nearly, and wrong in another one: is "
-                    "a number typed in that comes from the scene, the window or a texture, or is "
-                    "something missing or too much that hardly shows in the others?");
+    suspect.todo = likeliest(first.scene);
+    // Of a TODO's own scene it isn't known what all mistakes of other TODOs show.
+    for (std::size_t i = 0; i < shown_.size() && suspect.todo.empty(); ++i)
+      if (i != first.scene && shown_[i] && !expected_.scenes[i].another &&
+          (i == 0 || diagnosis::firstWrong({*shown_[i]}, {expected_.steps[step_][i]})))
+        suspect.todo = likeliest(i);
+    // One picture of one colour looks like the next, of windows even more than of textures; and
+    // what is observed may explain all.
+    const Image* wrong = pictureOf(*shown_[first.scene], first);
+    const bool isAlone = checked_.titles.empty(); // a list is a doubt already
+    if (observed_.isState ||
+        ((isAlone || !first.slot) && (!wrong || diagnosis::isOneColour(*wrong))))
+      doubtCatalogue();
+    suspect.isSure = !checked_.cause.empty() || observed_.isSure;
+    suspect.isGuess = checked_.cause.empty();
+    if (suspect.isGuess)
+      suspect.spoiling = KnownMistakes(expected_, shown_, begun_, step_).spoiling(first.slot);
+    if ((checked_.cause.empty() || observed_.isSure) && begun_.count(observed_.todo)) {
+      suspect.todo = observed_.todo;
+      suspect.isGuess = !observed_.isSure;
+    } else {
+      suspect.also = also_;
     }
-    checked_.rows = rows(expected_, shown_, begun_, suspect);
-    blameStorage();
-    if (isTogether(expected_)) settleTogether(suspect.isExplained);
-    // A call that fails does nothing, whether that is seen already or not.
-    if (checked_.happened.outcome == results::Outcome::glError && allRight(checked_.rows)) {
-      Row* last = nullptr;
-      for (Row& row : checked_.rows)
-        if (row.state == State::done && (!last || last->todo != observed_.todo)) last = &row;
-      if (last) last->state = State::wrong;
+    suspect.isExplained = !checked_.cause.empty() || !observed_.faults.empty() ||
+                          !observed_.guess.empty() ||
+                          checked_.happened.outcome == results::Outcome::glError;
+    if (!suspect.isExplained && suspect.todo.empty() && isWrongLater(first)) {
+      suspect.isLater = true;
+      checked_.cause = laterCause(program, first);
     }
-    // It ended early in a scene that was not handed out.
-    if (!checked_.happened.ok() && allRight(checked_.rows)) {
-      Row* last = nullptr;
-      for (Row& row : checked_.rows)
-        if (row.state == State::done && begun_.count(row.todo) && (!last || last->todo != endedAt_))
-          last = &row;
-      if (last) last->state = State::wrong;
+    return suspect;
+  }
+
+  Suspect suspectInAnother(const diagnosis::FirstWrong& first) {
+    Suspect suspect;
+    suspect.todo = expected_.scenes[first.scene].todo; // it is there for this one
+    suspect.also = expected_.scenes[first.scene].also;
+    suspect.isGuess = true;
+    if (begun_.count(observed_.todo)) { // of the public scene, which hardly shows it
+      suspect.todo = observed_.todo;
+      suspect.also.clear();
+      suspect.isExplained = true;
     }
-    // Right is what the windows show, however the passes are made.
-    if (allRight(checked_.rows)) {
-      checked_.cause.clear();
-      checked_.hint.clear();
-      countVertices();
-    } else if (first) {
-      describe(*first);
-    }
+    checked_.cause =
+        isWrongLater(first)
+            ? say("Each first frame is right, and the one after it isn't: is something that a "
+                  "frame changes not put back, not cleared, or made only once?")
+            : say("It is right in the handed-out scenes, or nearly, and wrong in another one: is "
+                  "a number typed in that comes from the scene, the window or a texture, or is "
+                  "something missing or too much that hardly shows in the others?");
+    return suspect;
+  }
+
+  /// Of those that are done the last one; rather this one, if it is among them.
+  void blameLast(const std::string& todo) {
+    Row* last = nullptr;
+    for (Row& row : checked_.rows)
+      if (row.state == State::done && begun_.count(row.todo) && (!last || last->todo != todo))
+        last = &row;
+    if (last) last->state = State::wrong;
   }
 
   /// Each effect is right, so all of them may be so in another way: where nothing but pictures
