@@ -44,6 +44,11 @@ TEST_F(Kit, BuildsAndChecksOnItsOwn) {
 }
 
 /// In a kit whose comments are Japanese.
+/// Of all effects together, as `check --json` says it after the part.
+std::string stateOfAll(const std::string& said) {
+  return nlohmann::json::parse(said).at(1).at("todos").at(0).at("state");
+}
+
 TEST(Release, TodosThatAreNotNamedComeFilledIn) {
   const TemporaryFolder folder;
   const fs::path kit = folder.path() / "kit";
@@ -54,7 +59,7 @@ TEST(Release, TodosThatAreNotNamedComeFilledIn) {
   EXPECT_THAT(ended.out,
               AllOf(HasSubstr("to do mirror.4, mirror.5"), HasSubstr("comes filled in")));
   EXPECT_THAT(names(kit / "assignments"), ElementsAre("CMakeLists.txt", "floor"));
-  EXPECT_THAT(names(kit / "expected"), ElementsAre("mirror"));
+  EXPECT_THAT(names(kit / "expected"), ElementsAre("floor", "mirror"));
   EXPECT_THAT(names(folder.path() / "kit-quiz"),
               testing::IsSupersetOf({"mirror.md", "mirror.ja.gift.txt"}));
   EXPECT_FALSE(fs::exists(folder.path() / "kit-quiz/shadow.md"));
@@ -73,8 +78,16 @@ TEST(Release, TodosThatAreNotNamedComeFilledIn) {
   const fs::path expected = kit / "expected";
   EXPECT_THAT(statesOf("mirror", expected, kit / "assignments/floor"),
               ElementsAre("not_begun", "not_begun"));
-  EXPECT_THAT(statesOf("mirror", expected, kSource / "solutions/floor"),
+  // Of the parts that come filled in nothing is judged but how they go with this one.
+  std::string said;
+  EXPECT_THAT(statesOf("mirror", expected, kSource / "solutions/floor", &said),
               ElementsAre("done", "done"));
+  EXPECT_EQ(stateOfAll(said), "done");
+  Submission leavesUnitOne = Submission::solution();
+  leavesUnitOne.replace("shadow.hpp", "  glActiveTexture(GL_TEXTURE0);\n", "");
+  EXPECT_THAT(statesOf("mirror", expected, leavesUnitOne.path(), &said),
+              ElementsAre("done", "done"));
+  EXPECT_EQ(stateOfAll(said), "nearly") << said;
 }
 
 TEST(Release, AnAutogradersArchiveHasItsTwoScriptsOnTop) {
