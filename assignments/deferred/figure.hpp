@@ -104,7 +104,7 @@ inline void allocate(GLuint texture, const glm::ivec2& size, GLenum format, GLen
 //           and the names in `gbuffer`: albedo, normal, ids, depth, framebuffer, hasAlbedo.
 //   Goal:   `framebuffer` is complete: the shader's output 0 goes into albedo (format `light`) if
 //           hasAlbedo, else nowhere; output 1 into normal (`direction`), output 2 into ids (`ids`,
-//           two whole numbers of a byte each); depth has 24 bits. If it isn't complete,
+//           two whole numbers); depth has 24 bits. If it isn't complete,
 //           std::runtime_error is thrown. Afterwards the window is bound.
 //                                                                      (figure.md, step 1)
 inline void makeGBuffer(GBuffer& gbuffer, const glm::ivec2& size, GLenum light, GLenum direction,

@@ -421,7 +421,8 @@ std::vector<GLuint> frameEnds(const glm::ivec2& window) {
                     "which wipes them out: should they go into a framebuffer object, and is one "
                     "bound for drawing (GL_FRAMEBUFFER)? Or does the clear come too late?")
               : say("the colours of the window are not cleared before objects are drawn, so that "
-                    "what was there shows around them. glClear(GL_COLOR_BUFFER_BIT)")) +
+                    "what was there stays around them. glClear(GL_COLOR_BUFFER_BIT), or should "
+                    "they go into a framebuffer object?")) +
          *target.unclearedPlace);
   checkViewports(window);
   for (const auto& [program, text] : watch.neverInUse) sayIfNeverInUse(program);

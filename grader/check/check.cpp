@@ -312,7 +312,8 @@ private:
         isWrongLater(first)
             ? say("Each first frame is right, and the one after it isn't: is something that a "
                   "frame changes not put back, not cleared, or made only once?")
-            : say("It is right in the handed-out scenes, or nearly, and wrong in another one: is "
+            : say("It is as it should be in the handed-out scenes, or nearly, and differs in "
+                  "another one: is "
                   "a number typed in that comes from the scene, the window or a texture, or is "
                   "something missing or too much that hardly shows in the others?");
     return suspect;
@@ -334,9 +335,10 @@ private:
     if (row.state != State::wrong && row.state != State::maybe) return;
     row.state = isExplained ? State::wrong : State::nearly;
     if (!isExplained)
-      checked_.cause = say("each effect is right alone; where all are drawn, does one leave a "
-                           "state, a texture unit or a framebuffer that the next one doesn't "
-                           "expect?");
+      checked_.cause =
+          say("each effect is right alone, or nearly; where all are drawn, does one leave a "
+              "state, a texture unit or a framebuffer that the next one doesn't "
+              "expect?");
   }
 
   /// A texture of another size is made in the step before those that draw into it, and nobody sees

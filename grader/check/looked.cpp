@@ -48,10 +48,10 @@ const Row* rowToLookAt(const Checked& checked) {
   };
   if (const Row* row = first(State::wrong)) return row;
   // Of those that may be, the one that was written last: whoever looks often has seen the others.
-  for (auto row = checked.rows.rbegin(); row != checked.rows.rend(); ++row)
-    if (row->state == State::maybe) return &*row;
-  for (const State state : {State::nearly, State::differs})
-    if (const Row* row = first(state)) return row;
+  for (const State state : {State::maybe, State::nearly})
+    for (auto row = checked.rows.rbegin(); row != checked.rows.rend(); ++row)
+      if (row->state == state) return &*row;
+  if (const Row* row = first(State::differs)) return row;
   const auto next =
       std::ranges::find_if(checked.rows, [](const Row& row) { return row.state != State::done; });
   return next == checked.rows.end() ? nullptr : &*next;

@@ -376,7 +376,12 @@ private:
       if (gap_ <= should_) return; // a step that was left out explains it
       Row* last = &culprit;
       for (Row& row : all_)
-        if (isInAnother() && isBegun(row) && drawing.count(row.todo)) last = std::max(last, &row);
+        if (isBegun(row) && drawing.count(row.todo)) {
+          if (isInAnother())
+            last = std::max(last, &row);
+          else
+            row.state = State::nearly;
+        }
       last->state = State::nearly;
       return;
     }
