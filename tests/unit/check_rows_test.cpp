@@ -93,11 +93,11 @@ TEST(CheckRows, ALittleThatNothingExplainsIsNotCalledWrong) {
   const auto changed = [](float height) {
     return seen(kTexture, painted(kClipped, 0.1f, 0.1f, 0.2f, 0.1f + height, 0.9f));
   };
-  EXPECT_EQ(states(changed(0.1f), first(5)), "ddddl");
+  EXPECT_EQ(states(changed(0.1f), first(5)), "dddll") << "at each that draws there";
   EXPECT_EQ(states(changed(0.3f), first(5)), "dddmm");
   EXPECT_EQ(states(changed(0.1f), first(5), {"m.5", true}), "ddddw")
       << "a known mistake shows this";
-  EXPECT_EQ(states(changed(0.1f), first(5), {"m.3"}), "ddldd") << "a guess at where";
+  EXPECT_EQ(states(changed(0.1f), first(5), {"m.3"}), "ddlll") << "and a guess at where";
 }
 
 TEST(CheckRows, APassThatDiffersIsNotCalledWrongWhileAllWindowsAreRight) {
