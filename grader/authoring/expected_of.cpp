@@ -113,14 +113,6 @@ std::set<std::string> allTodos(const Assignment& assignment) {
   return all;
 }
 
-bool showsTheSameWindows(const diagnosis::Run& a, const diagnosis::Run& b) {
-  for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t k = 0; k < b[i].windows.size(); ++k)
-      if (!diagnosis::alike(k < a[i].windows.size() ? &a[i].windows[k] : nullptr, &b[i].windows[k]))
-        return false;
-  return true;
-}
-
 /// Views of programs in scenes with these numbers.
 using Showing = std::function<std::vector<diagnosis::Signature>(
     const std::vector<grading::Candidate>& candidates, const std::vector<std::size_t>& scenes)>;
@@ -404,7 +396,7 @@ void writeExpected(const Assignment& assignment, const Part& part, const fs::pat
     if (variant.loses.empty())
       variants.push_back({variant.name, variant.name, {solutions, {variant.patch}}});
   for (diagnosis::Signature& variant : showing(variants, numbers))
-    if (!showsTheSameWindows(variant.run, expected.reference))
+    if (!std::ranges::equal(variant.run, expected.reference, diagnosis::sameWindows))
       expected.others.push_back(std::move(variant.run));
   expected.faults = faultsOf({assignment, solutions}, part, expected, filled, showing);
   std::set<std::string> handedOut = allTodos(assignment);
@@ -453,6 +445,7 @@ void updateExpected(const Target& target, const fs::path& solutions, const fs::p
     fs::rename(work.path(), into / part.id);
   };
   for (const Part& part : target.parts) update(part, {part});
+  // Who is to do one part looks at it in a folder in which the others may not be done.
   if (target.parts.size() > 1) update(check::togetherOf(target.assignment), target.parts);
 }
 

@@ -266,13 +266,8 @@ private:
   /// Are all windows of a finished program right? Then what is observed explains nothing wrong.
   bool isRightInWindows() const {
     if (step_ < expected_.todos.size()) return false;
-    for (std::size_t i = 0; i < shown_.size(); ++i) {
-      if (!shown_[i]) continue;
-      SceneViews student = *shown_[i], should = expected_.steps[step_][i];
-      student.passes.clear();
-      should.passes.clear();
-      if (diagnosis::firstWrong({student}, {should})) return false;
-    }
+    for (std::size_t i = 0; i < shown_.size(); ++i)
+      if (shown_[i] && !diagnosis::sameWindows(*shown_[i], expected_.steps[step_][i])) return false;
     return true;
   }
 
@@ -327,9 +322,8 @@ private:
             ? say("Each first frame is right, and the one after it isn't: is something that a "
                   "frame changes not put back, not cleared, or made only once?")
             : say("It is as it should be in the handed-out scenes, or nearly, and differs in "
-                  "another one: is "
-                  "a number typed in that comes from the scene, the window or a texture, or is "
-                  "something missing or too much that hardly shows in the others?");
+                  "another one: is a number typed in that comes from the scene, the window or a "
+                  "texture, or is something missing or too much that hardly shows in the others?");
     return suspect;
   }
 
@@ -351,8 +345,7 @@ private:
     if (!isExplained)
       checked_.cause =
           say("each effect is right alone, or nearly; where all are drawn, does one leave a "
-              "state, a texture unit or a framebuffer that the next one doesn't "
-              "expect?");
+              "state, a texture unit or a framebuffer that the next one doesn't expect?");
   }
 
   /// A texture of another size is made in the step before those that draw into it, and nobody sees

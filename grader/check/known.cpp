@@ -8,18 +8,13 @@
 
 namespace ggrade::check {
 
+using diagnosis::sameWindows;
 using diagnosis::SceneViews;
 
 namespace {
 
 /// A pass of which less differs may be right in another way, such as with another filter.
 constexpr double kAnotherWay = 0.02;
-
-bool sameWindows(const SceneViews& a, const SceneViews& b) {
-  return std::ranges::equal(a.windows, b.windows, [](const Image& one, const Image& two) {
-    return diagnosis::alike(&one, &two);
-  });
-}
 
 /// Are all pictures of one scene the same?
 bool showsTheSame(const SceneViews& a, const SceneViews& b) {
@@ -100,24 +95,25 @@ std::vector<const Fault*> KnownMistakes::like(std::size_t scene, std::size_t ste
         !isWrongBefore(*faults[i], scene))
       same.push_back(faults[i]);
   }
-  sort(same);
+  keepLikeliest(same);
   return same;
 }
 
 /// In an unfinished program what showed after an earlier step was looked at then: of those that
 /// nothing tells apart, the latest step is the likelier one. A finished one may never have been
 /// looked at. And two of one group are one mistake.
-void KnownMistakes::sort(std::vector<const Fault*>& faults) const {
+void KnownMistakes::keepLikeliest(std::vector<const Fault*>& faults) const {
   const auto firstShown = [&](const Fault* fault) {
     std::size_t first = fault->step;
     for (const Fault& other : expected_.faults)
       if (other.signature.group == fault->signature.group) first = std::min(first, other.step);
     return first;
   };
-  std::size_t latest = 0;
-  for (const Fault* fault : faults) latest = std::max(latest, firstShown(fault));
-  if (step_ < expected_.todos.size())
+  if (step_ < expected_.todos.size()) {
+    std::size_t latest = 0;
+    for (const Fault* fault : faults) latest = std::max(latest, firstShown(fault));
     std::erase_if(faults, [&](const Fault* fault) { return firstShown(fault) != latest; });
+  }
   std::ranges::stable_sort(faults, std::ranges::greater(), [&](const Fault* fault) {
     return std::ranges::find(expected_.todos, fault->todo) - expected_.todos.begin();
   });

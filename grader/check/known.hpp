@@ -32,7 +32,7 @@ private:
   diagnosis::SceneViews viewsOf(const Fault& fault, std::size_t scene) const;
   bool isWrongBefore(const Fault& fault, std::size_t scene) const;
   bool isWrongWhere(const Fault& fault) const;
-  void sort(std::vector<const Fault*>& faults) const;
+  void keepLikeliest(std::vector<const Fault*>& faults) const;
 
   const Expected& expected_;
   const Shown& shown_;

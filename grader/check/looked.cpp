@@ -178,10 +178,10 @@ std::string outcomeOf(const Checked& checked) {
 std::string stepToRead(const Looked& looked, bool isLast) {
   if (!looked.checked.drawn) return {};
   const Row* row = rowToLookAt(looked.checked);
-  if (!row && !isLast) return {};
   if (!row)
-    return say("every step is done; hand in what you changed in {}",
-               fs::path(looked.handout).parent_path().string());
+    return isLast ? say("every step is done; hand in what you changed in {}",
+                        fs::path(looked.handout).parent_path().string())
+                  : std::string();
   const Todo& todo = todoOf(*looked.part, row->todo);
   if (isTogether(*looked.expected)) return fmt::format("{}: {}", looked.handout, words(todo.title));
   return say("{}, step {}: {}", looked.handout, &todo - looked.part->todos.data() + 1,

@@ -117,18 +117,17 @@ public:
     const fs::path expected = options.expected.empty()
                                   ? fs::path(toolchain::kSourceFolder) / "expected"
                                   : fs::path(options.expected);
-    std::size_t handedOut = 0; // parts
-    for (const Part& part : target_.assignment.parts)
-      if (fs::exists(expected / part.id)) ++handedOut;
+    const auto isToDo = [&](const Part& part) { return fs::exists(expected / part.id); };
     for (const Part& part : target_.parts)
-      if (fs::exists(expected / part.id)) {
+      if (isToDo(part)) {
         expected_.push_back(load(expected / part.id));
         gg::addWords(wordsFile(expected / part.id));
         parts_.push_back(&part);
       }
     // Looked at where all that is to be done is named, and a picture can show it.
     const fs::path all = expected / target_.assignment.id;
-    if (hasTogether(target_.assignment) && parts_.size() == handedOut && fs::exists(all)) {
+    const auto toDo = std::size_t(std::ranges::count_if(target_.assignment.parts, isToDo));
+    if (hasTogether(target_.assignment) && parts_.size() == toDo && fs::exists(all)) {
       together_ = togetherOf(target_.assignment);
       expectedTogether_ = load(all);
     }

@@ -46,7 +46,7 @@ struct Suspect {
   /// First frames are right, so pictures don't tell whose fault later ones are.
   bool isLater = false;
   std::set<std::string> also{};     ///< TODOs that are as likely
-  std::set<std::string> spoiling{}; ///< those with known mistakes whose first wrong picture is this
+  std::set<std::string> spoiling{}; ///< those with known mistakes that spoil such a picture first
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,

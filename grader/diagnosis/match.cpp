@@ -80,6 +80,12 @@ bool within(const Image& a, const Image& b) {
   return sameSize(a, b) && a.channels() == b.channels() && within(a.values(), b.values());
 }
 
+/// An image at the other's size: itself, or, if it has another one, what is kept in `made`.
+const Image& atSizeOf(const Image& other, const Image& image, Image& made) {
+  if (sameSize(other, image)) return image;
+  return made = resized(image, other.width(), other.height());
+}
+
 /// The slots of all scenes, in the order in which they are made.
 std::vector<Slot> slotsOf(const Run& reference) {
   std::vector<Slot> slots;
@@ -109,9 +115,8 @@ std::vector<float> distance(const Image* a, const Image* b) {
   if (!a && !b) return {};
   if (!a || !b) return Distances((a ? a : b)->pixelCount(), 1.0f);
   if (a->channels() != b->channels()) return Distances(a->pixelCount(), 1.0f);
-  const bool fits = sameSize(*a, *b);
-  const Image made = fits ? Image() : resized(*b, a->width(), a->height());
-  const Image& fitted = fits ? *b : made;
+  Image made;
+  const Image& fitted = atSizeOf(*a, *b, made);
   const auto channels = std::size_t(a->channels());
   Distances distances;
   distances.reserve(a->pixelCount());
@@ -143,6 +148,11 @@ bool alike(const Image* a, const Image* b) {
   return differingShare(a, b) < kWrongShare;
 }
 
+bool sameWindows(const SceneViews& a, const SceneViews& b) {
+  return std::ranges::equal(a.windows, b.windows,
+                            [](const Image& one, const Image& two) { return alike(&one, &two); });
+}
+
 bool isOneColour(const Image& picture) {
   for (int c = 0; c < picture.channels(); ++c) {
     float low = picture.at(0, 0, c), high = low;
@@ -163,10 +173,10 @@ std::optional<FirstWrong> firstWrong(const Run& student, const Run& reference, d
     const Distances distances = distance(&theirs, ours);
     const double wrong = mean(distances);
     if (wrong < least || (first && wrong <= first->share)) return;
-    const auto differing = std::ranges::count_if(distances, [](float one) { return one > 0; });
-    FirstWrong found{
-        scene, slot, frame, ours == nullptr, wrong, double(differing) / double(distances.size()),
-        0.5,   0.5,  width, height};
+    const auto wrongOnes = std::ranges::count_if(distances, [](float one) { return one > 0; });
+    const double differing = double(wrongOnes) / double(distances.size());
+    FirstWrong found{scene,     slot, frame, ours == nullptr, wrong,
+                     differing, 0.5,  0.5,   width,           height};
     Mask wrongPixels(theirs.width(), theirs.height());
     for (int y = 0; y < theirs.height(); ++y)
       for (int x = 0; x < theirs.width(); ++x)
@@ -224,9 +234,8 @@ Distances between(const Compared& a, const Compared& b) {
   if (a.isRight() || b.isRight()) return a.isRight() ? b.distances : a.distances;
   if (!a.picture || !b.picture)
     return Distances(a.distances.size(), a.picture || b.picture ? 1.0f : 0.0f);
-  if (sameSize(*a.picture, *a.reference)) return distance(a.picture, b.picture);
-  const Image at = resized(*a.picture, a.reference->width(), a.reference->height());
-  return distance(&at, b.picture);
+  Image made;
+  return distance(&atSizeOf(*a.reference, *a.picture, made), b.picture);
 }
 
 Likeness likeness(const ComparedRun& student, const ComparedRun& signature, const Run& reference) {

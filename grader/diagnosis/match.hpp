@@ -30,6 +30,9 @@ double differingShare(const Image* a, const Image* b);
 /// Do both show the same, but for so little that nobody would see it? Two nulls do.
 bool alike(const Image* a, const Image* b);
 
+/// Are all windows of one scene alike?
+bool sameWindows(const SceneViews& a, const SceneViews& b);
+
 /// Has every channel one value all over, within the tolerance?
 bool isOneColour(const Image& picture);
 

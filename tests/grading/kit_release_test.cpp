@@ -43,12 +43,12 @@ TEST_F(Kit, BuildsAndChecksOnItsOwn) {
       kit(), {{"CMAKE_CXX_COMPILER_LAUNCHER", launcher}, {"CMAKE_C_COMPILER_LAUNCHER", launcher}});
 }
 
-/// In a kit whose comments are Japanese.
 /// Of all effects together, as `check --json` says it after the part.
 std::string stateOfAll(const std::string& said) {
   return nlohmann::json::parse(said).at(1).at("todos").at(0).at("state");
 }
 
+/// In a kit whose comments are Japanese.
 TEST(Release, TodosThatAreNotNamedComeFilledIn) {
   const TemporaryFolder folder;
   const fs::path kit = folder.path() / "kit";
