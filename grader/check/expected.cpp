@@ -11,6 +11,7 @@
 namespace ggrade::diagnosis {
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Sampled, isDepth, width, height, byObject, isComplete)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Slot, depth, mesh, octave, nth, stencil)
 
 } // namespace ggrade::diagnosis
 
@@ -40,6 +41,23 @@ Run loadRun(std::size_t scenes, const Run* base, const fs::path& folder,
   for (std::size_t i = 0; i < scenes; ++i)
     run.push_back(diagnosis::load(viewsFile(folder, program, i), base ? &(*base)[i] : nullptr));
   return run;
+}
+
+/// Of each scene in which a fault spoils anything, the scene and the pass; of a window, null.
+json spoiledBy(const Fault& fault, const Expected& expected) {
+  json spoils = json::array();
+  for (const std::size_t scene : fault.scenes)
+    if (const auto first = diagnosis::firstWrong({fault.signature.run[scene]},
+                                                 {expected.steps[fault.step][scene]}))
+      spoils.push_back({scene, first->slot ? json(*first->slot) : json()});
+  return spoils;
+}
+
+void readSpoiled(const json& spoils, Fault& fault) {
+  for (const json& one : spoils)
+    fault.spoils[one.at(0)] = one.at(1).is_null()
+                                  ? std::nullopt
+                                  : std::optional(one.at(1).get<diagnosis::Slot>());
 }
 
 std::string nameOfFault(std::size_t number) {
@@ -108,6 +126,7 @@ void save(const Expected& expected, const fs::path& folder) {
                       {"todo", fault.todo},
                       {"step", fault.step},
                       {"scenes", fault.scenes},
+                      {"spoils", spoiledBy(fault, expected)},
                       {"group", fault.signature.group}});
   report::writeFile(folder / "expected.json", json{{"assignment", expected.assignment},
                                                    {"part", expected.part},
@@ -164,6 +183,7 @@ Expected load(const fs::path& folder) {
                                  one.at("step"),
                                  one.at("scenes"),
                                  {name, one.at("group"), {}}});
+      readSpoiled(one.at("spoils"), expected.faults.back());
       if (const std::size_t step = expected.faults.back().step; step > expected.todos.size())
         throw UsageError(
             fmt::format("{}: faults: step {} of {}", file.string(), step, expected.todos.size()));

@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,6 +42,9 @@ struct Fault {
   std::set<std::size_t> scenes = {}; ///< in which it is known what it shows
   /// What was read from a file has no pictures yet, see `viewsOf`.
   diagnosis::Signature signature = {};
+  /// Of what was read from a file: in those of its scenes in which it spoils anything, the first
+  /// wrong picture: a pass's, or, if nothing, the window.
+  std::map<std::size_t, std::optional<diagnosis::Slot>> spoils = {};
 };
 
 struct Expected {

@@ -43,16 +43,11 @@ bool KnownMistakes::isExactly(const Fault& fault, std::size_t scene) const {
 
 std::set<std::string> KnownMistakes::spoiling(const std::optional<diagnosis::Slot>& slot) const {
   std::set<std::string> todos;
-  for (const Fault& fault : expected_.faults) {
-    if (fault.step != step_ || todos.count(fault.todo)) continue;
-    for (const std::size_t scene : fault.scenes) {
-      const auto first =
-          diagnosis::firstWrong({viewsOf(fault, scene)}, {expected_.steps[step_][scene]});
-      if (!first || first->slot != slot) continue;
+  for (const Fault& fault : expected_.faults)
+    if (fault.step == step_ && std::ranges::any_of(fault.spoils, [&](const auto& spoiled) {
+          return spoiled.second == slot;
+        }))
       todos.insert(fault.todo);
-      break;
-    }
-  }
   return todos;
 }
 
@@ -142,9 +137,7 @@ bool KnownMistakes::isWrongWhere(const Fault& fault) const {
   bool isFirst = true;
   for (const std::size_t scene : fault.scenes) {
     if (!shown_[scene]) continue;
-    const bool isSeen =
-        diagnosis::firstWrong({viewsOf(fault, scene)}, {expected_.steps[fault.step][scene]})
-            .has_value();
+    const bool isSeen = fault.spoils.count(scene) > 0;
     const bool isWrong =
         diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]}).has_value();
     if (isSeen && !isWrong) return false;

@@ -26,8 +26,14 @@ constexpr int kWindow = 12;
 /// What all passes of a scene count together, where its windows count 1.
 constexpr double kPasses = 0.6;
 
-float beyond(float value, float low, float high) {
-  return std::max({0.0f, low - value, value - high});
+/// How far values lie outside of ranges, where that is more than what is known already.
+void raiseBeyond(const float* values, const float* low, const float* high, float* apart,
+                 std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float below = low[i] - values[i], above = values[i] - high[i];
+    const float most = below > above ? below : above;
+    apart[i] = most > apart[i] ? most : apart[i];
+  }
 }
 
 using Distances = std::vector<float>;
@@ -121,6 +127,7 @@ std::vector<float> distance(const Image* a, const Image* b) {
   Distances distances;
   distances.reserve(a->pixelCount());
   NeighbourhoodRows around(*a, 1), aroundFitted(fitted, 1);
+  std::vector<float> apart;
   for (int y = 0; y < a->height(); ++y) {
     const auto rowA = a->row(y), rowB = fitted.row(y);
     if (within(rowA, rowB)) { // nor is any neighbourhood further away
@@ -129,11 +136,12 @@ std::vector<float> distance(const Image* a, const Image* b) {
     }
     around.moveTo(y);
     aroundFitted.moveTo(y);
-    for (std::size_t i = 0; i < rowA.size(); i += channels) {
-      float most = 0;
-      for (std::size_t c = i; c < i + channels; ++c)
-        most = std::max({most, beyond(rowA[c], aroundFitted.low()[c], aroundFitted.high()[c]),
-                         beyond(rowB[c], around.low()[c], around.high()[c])});
+    apart.assign(rowA.size(), 0);
+    raiseBeyond(rowA.data(), aroundFitted.low().data(), aroundFitted.high().data(), apart.data(),
+                apart.size());
+    raiseBeyond(rowB.data(), around.low().data(), around.high().data(), apart.data(), apart.size());
+    for (auto pixel = apart.begin(); pixel != apart.end(); pixel += std::ptrdiff_t(channels)) {
+      const float most = *std::max_element(pixel, pixel + std::ptrdiff_t(channels));
       distances.push_back(std::clamp((most - kTolerance) / (kWhole - kTolerance), 0.0f, 1.0f));
     }
   }
