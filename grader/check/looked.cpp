@@ -180,7 +180,7 @@ std::string stepToRead(const Looked& looked, bool isLast) {
   const Row* row = rowToLookAt(looked.checked);
   if (!row)
     return isLast ? say("every step is done; hand in what you changed in {}",
-                        fs::path(looked.handout).parent_path().string())
+                        shown(looked.folder))
                   : std::string();
   const Todo& todo = todoOf(*looked.part, row->todo);
   if (isTogether(*looked.expected)) return fmt::format("{}: {}", looked.handout, words(todo.title));

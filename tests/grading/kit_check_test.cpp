@@ -208,10 +208,10 @@ TEST_F(Check, WhatCannotDrawIsNotJudged) {
 
 /// Step 6 is seen in the handout's scene alone, so that is the one that is shown.
 TEST_F(Check, ShowsTheSceneThatItSpeaksOf) {
-  const Ended all = Running(command(Submission::firstSteps(7).path())).wait(100);
-  EXPECT_THAT(
-      all.out,
-      HasSubstr("Next: every step is done; hand in what you changed in assignments/floor\n"));
+  const Submission finished = Submission::firstSteps(7);
+  const Ended all = Running(command(finished.path())).wait(100);
+  EXPECT_THAT(all.out, HasSubstr("Next: every step is done; hand in what you changed in " +
+                                 finished.path().string() + '\n'));
   const Ended six = Running(command(Submission::firstSteps(6).path())).wait(100);
   EXPECT_EQ(six.exitCode, 0) << six.out;
   // Pages are too long to be printed where this fails.
