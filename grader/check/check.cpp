@@ -24,6 +24,8 @@ namespace {
 
 /// So many mistakes that show the same are named; more are no help.
 constexpr std::size_t kMostCauses = 6;
+/// Share of a window of all effects that right ones may change together, each in another way.
+constexpr double kOtherEffects = 0.2;
 
 /// Of English sentences; what begins with a name in code, such as glClear, stays.
 std::string capitalized(std::string text) {
@@ -113,13 +115,21 @@ private:
         }
       const auto most = diagnosis::firstWrong(student, should);
       if (!most) continue;
-      // Of the scenes in which that picture is wrong the first, not the one where most of it is.
-      for (std::size_t i = 0; i < scenes.size(); ++i)
-        if (auto here = diagnosis::firstWrong({student[i]}, {should[i]});
-            here && here->slot == most->slot) {
-          here->scene = scenes[i];
-          return here;
+      // Of the scenes in which that picture is wrong the first, not the one where most of it is;
+      // and of its frames likewise.
+      for (std::size_t i = 0; i < scenes.size(); ++i) {
+        auto here = diagnosis::firstWrong({student[i]}, {should[i]});
+        if (!here || here->slot != most->slot) continue;
+        for (std::size_t frames = 1; !here->slot && frames <= here->frame; ++frames) {
+          SceneViews ours = student[i], theirs = should[i];
+          ours.windows.resize(std::min(frames, ours.windows.size()));
+          theirs.windows.resize(frames);
+          if (const auto earlier = diagnosis::firstWrong({ours}, {theirs}, diagnosis::kFaintShare))
+            here = earlier;
         }
+        here->scene = scenes[i];
+        return here;
+      }
     }
     return std::nullopt;
   }
@@ -183,8 +193,8 @@ private:
     }
     checked_.cause =
         isWrongLater(first)
-            ? say("Each first frame is right, and the one after it isn't: is something that a "
-                  "frame changes not put back, not cleared, or made only once?")
+            ? say("In another scene the first frame is right, and the one after it isn't: is "
+                  "something that a frame changes not put back, not cleared, or made only once?")
             : say("It is as it should be in the handed-out scenes, or nearly, and differs in "
                   "another one: is a number typed in that comes from the scene, the window or a "
                   "texture, or is something missing or too much that hardly shows in the others?");
@@ -205,11 +215,20 @@ private:
   void settleTogether(bool isExplained) {
     Row& row = checked_.rows.front();
     if (row.state != State::wrong && row.state != State::maybe) return;
-    row.state = isExplained ? State::wrong : State::nearly;
+    row.state = isExplained || !isNearlyTogether() ? State::wrong : State::nearly;
     if (!isExplained)
       checked_.cause =
           say("each effect is right alone, or nearly; where all are drawn, does one leave a "
               "state, a texture unit or a framebuffer that the next one doesn't expect?");
+  }
+
+  bool isNearlyTogether() const {
+    const SceneViews& should = expected_.steps[drawn_.step][0];
+    for (std::size_t i = 0; i < should.windows.size(); ++i)
+      if (diagnosis::differingShare(&should.windows[i], &drawn_.shown[0]->windows[i]) >
+          kOtherEffects)
+        return false;
+    return true;
   }
 
   /// A texture of another size is made in the step before those that draw into it, and nobody sees
@@ -241,6 +260,16 @@ private:
     }
   }
 
+  /// Is all that was drawn as before the last step that was begun?
+  bool showsNothingNew() const {
+    if (drawn_.step == 0 || allRight(checked_.rows)) return false;
+    for (std::size_t i = 0; i < drawn_.shown.size(); ++i)
+      if (drawn_.shown[i] &&
+          !diagnosis::samePictures(*drawn_.shown[i], expected_.steps[drawn_.step - 1][i]))
+        return false;
+    return true;
+  }
+
   static const Image* pictureOf(const SceneViews& views, const diagnosis::FirstWrong& first) {
     if (!first.slot)
       return first.frame < views.windows.size() ? &views.windows[first.frame] : nullptr;
@@ -249,10 +278,8 @@ private:
   }
 
   /// Is only a window wrong, after a first frame of which all is right?
-  bool isWrongLater(const diagnosis::FirstWrong& first) const {
-    return !first.slot && first.frame > 0 &&
-           diagnosis::alike(&drawn_.shown[first.scene]->windows.front(),
-                            &expected_.steps[drawn_.step][first.scene].windows.front());
+  static bool isWrongLater(const diagnosis::FirstWrong& first) {
+    return !first.slot && first.frame > 0;
   }
 
   /// Why a later frame is wrong: because it is a later one, or at its time.
@@ -392,6 +419,10 @@ private:
         found.push_back(checked_.titles.empty() ? say("If it is this: {}", checked_.hint)
                                                 : checked_.hint);
     }
+    if (checked_.cause.empty() && showsNothingNew())
+      found.insert(found.begin(), say("nothing of {} shows yet: all is as it was before it. Is all "
+                                      "of it written, and is it called?",
+                                      expected_.todos[drawn_.step - 1]));
     // Beside a puzzle it stays among the messages, told at once.
     if (!checked_.isPuzzle) found.insert(found.end(), said.begin(), said.end());
     if (found.empty()) { // what may be is no help beside what is

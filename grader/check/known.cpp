@@ -8,6 +8,7 @@
 
 namespace ggrade::check {
 
+using diagnosis::samePictures;
 using diagnosis::sameWindows;
 using diagnosis::SceneViews;
 
@@ -15,17 +16,6 @@ namespace {
 
 /// A pass of which less differs may be right in another way, such as with another filter.
 constexpr double kAnotherWay = 0.02;
-
-/// Are all pictures of one scene the same?
-bool showsTheSame(const SceneViews& a, const SceneViews& b) {
-  return a.passes.size() == b.passes.size() &&
-         std::ranges::all_of(a.passes,
-                             [&](const diagnosis::PassView& pass) {
-                               const diagnosis::PassView* other = b.find(pass.slot);
-                               return other && diagnosis::alike(&pass.picture, &other->picture);
-                             }) &&
-         sameWindows(a, b);
-}
 
 } // namespace
 
@@ -38,7 +28,7 @@ std::vector<const Fault*> KnownMistakes::like(std::size_t scene) const {
 }
 
 bool KnownMistakes::isExactly(const Fault& fault, std::size_t scene) const {
-  return showsTheSame(viewsOf(fault, scene), *shown_[scene]);
+  return samePictures(viewsOf(fault, scene), *shown_[scene]);
 }
 
 std::set<std::string> KnownMistakes::spoiling(const std::optional<diagnosis::Slot>& slot) const {
@@ -78,7 +68,7 @@ std::vector<const Fault*> KnownMistakes::like(std::size_t scene, std::size_t ste
   alike.insert(alike.begin(), found->signature);
   // What shows the very same goes before what is only like it.
   const auto isExact = [&](std::size_t i) {
-    return i < faults.size() && showsTheSame(known.signatures[i].run[0], *shown_[scene]);
+    return i < faults.size() && samePictures(known.signatures[i].run[0], *shown_[scene]);
   };
   if (std::ranges::any_of(alike, isExact))
     std::erase_if(alike, [&](std::size_t i) { return !isExact(i); });

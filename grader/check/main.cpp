@@ -100,6 +100,16 @@ Target chosen(const std::string& id) {
   return findTarget(folder, std::ranges::max_element(all, {}, lastSaved)->id);
 }
 
+/// The parts of which it is known what to expect: "mirror, shadow".
+std::string toDoIn(const fs::path& expected) {
+  std::string all;
+  for (const Assignment& assignment :
+       loadAssignments(fs::path(toolchain::kSourceFolder) / "assignments"))
+    for (const Part& part : assignment.parts)
+      if (fs::exists(expected / part.id)) all += (all.empty() ? "" : ", ") + part.id;
+  return all;
+}
+
 bool isFinished(const Checked& checked) {
   return checked.happened.ok() && doneRows(checked) == checked.rows.size();
 }
@@ -131,6 +141,10 @@ public:
       together_ = togetherOf(target_.assignment);
       expectedTogether_ = load(all);
     }
+    if (const std::string toDo = toDoIn(expected); parts_.empty() && !toDo.empty())
+      throw UsageError(
+          say("nothing of {} is to be done here, so there is nothing to check of it. To do: {}",
+              target_.id, toDo));
     if (parts_.empty())
       throw UsageError(say("{} doesn't say what to expect of {}: is this kit whole, and is {} one "
                            "of its parts?",
@@ -374,7 +388,7 @@ int run(int argc, char** argv) {
   app.add_flag("--json", options.json, say("The same as --format json"));
   app.add_option("--expected", options.expected, say("What to compare with"))->group("");
   app.footer(say("The program is built and run on this machine, as you, without a sandbox.\n"
-                 "Exit codes: 0 all that was begun is right, 1 something isn't, 2 usage.\n\n"
+                 "Exit codes: 0 all that was begun is right, 1 something isn't, or may not be, 2 usage.\n\n"
                  "Examples:\n"
                  "  ggrade check mirror\n"
                  "  ggrade check mirror --hint\n"

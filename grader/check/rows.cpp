@@ -338,8 +338,9 @@ private:
       // that are there for a TODO.
       if ((judging_.isAnother(*wrong_)
                ? !judging_.isRightThere(*wrong_, k, should_)
-               : (row.state == State::waits || judging_.isOfATodo(*wrong_)) &&
-                     (judging_.isChanged(*wrong_, k) || suspect_.spoiling.count(row.todo))) ||
+               : suspect_.spoiling.count(row.todo) ||
+                     ((row.state == State::waits || judging_.isOfATodo(*wrong_)) &&
+                      judging_.isChanged(*wrong_, k))) ||
           judging_.changesWhatIsWrong(*wrong_, k, should_) || judging_.isKnownInPart(k, *wrong_))
         todos.insert(row.todo);
     }

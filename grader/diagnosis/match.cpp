@@ -161,6 +161,16 @@ bool sameWindows(const SceneViews& a, const SceneViews& b) {
                             [](const Image& one, const Image& two) { return alike(&one, &two); });
 }
 
+bool samePictures(const SceneViews& a, const SceneViews& b) {
+  return a.passes.size() == b.passes.size() &&
+         std::ranges::all_of(a.passes,
+                             [&](const PassView& pass) {
+                               const PassView* other = b.find(pass.slot);
+                               return other && alike(&pass.picture, &other->picture);
+                             }) &&
+         sameWindows(a, b);
+}
+
 bool isOneColour(const Image& picture) {
   for (int c = 0; c < picture.channels(); ++c) {
     float low = picture.at(0, 0, c), high = low;

@@ -33,6 +33,9 @@ bool alike(const Image* a, const Image* b);
 /// Are all windows of one scene alike?
 bool sameWindows(const SceneViews& a, const SceneViews& b);
 
+/// Are all pictures of one scene alike, those of passes, too?
+bool samePictures(const SceneViews& a, const SceneViews& b);
+
 /// Has every channel one value all over, within the tolerance?
 bool isOneColour(const Image& picture);
 

@@ -173,6 +173,19 @@ TEST(TradeoffAdopted, OfTwoPartsTheLaterOneDecides) {
   EXPECT_EQ(adoptedPresets(figures)["fast"], json({{"format", 1}}));
 }
 
+/// Else its table and presets.json seem to contradict each other.
+TEST(TradeoffAdopted, SaysWhatAnotherPartDecides) {
+  json figures = adoptedSample(), later = figures["sweeps"][0];
+  EXPECT_THAT(handoutText(figures, "mirror"), Not(HasSubstr("presets.json")));
+  later["part"] = "water";
+  later["presets"] = {{"fast", {{"setting", {{"size", 32}}}}},
+                      {"accurate", {{"setting", {{"size", 128}}}}}};
+  figures["sweeps"].push_back(later);
+  EXPECT_THAT(handoutText(figures, "mirror"),
+              testing::EndsWith("\n- `presets.json` has `size` as part water asks, which has it, "
+                                "too: fast 32, accurate 128.\n"));
+}
+
 TEST(TradeoffAdopted, IsATableInTheHandout) {
   const std::string text = handoutText(adoptedSample(), "mirror");
   EXPECT_THAT(text, testing::StartsWith(

@@ -139,6 +139,50 @@ std::string savedTable(const json& saved) {
   return text;
 }
 
+/// A number of a preset, and the part that decides it.
+struct Decided {
+  std::string part;
+  json value;
+};
+
+/// By preset and number, see `adoptedPresets`.
+std::map<std::string, std::map<std::string, Decided>> decided(const json& figures) {
+  std::map<std::string, std::map<std::string, Decided>> all;
+  for (const json& sweep : figures.at("sweeps"))
+    for (const auto& [name, preset] : sweep.at("presets").items())
+      for (const auto& [number, value] : preset.at("setting").items())
+        if (Decided& by = all[name][number]; by.part != sweep.at("part").get<std::string>())
+          by = {sweep.at("part"), value}; // the first scene's
+  return all;
+}
+
+/// Which numbers of a part's tables presets.json has otherwise, since a later part decides them.
+std::string decidedElsewhere(const json& figures, const std::string& part) {
+  std::map<std::string, std::string> values, parts; // by number
+  const auto all = decided(figures);
+  for (const char* const name : kPresets) {
+    if (!all.contains(name)) continue;
+    for (const auto& [number, by] : all.at(name))
+      for (const json& sweep : figures.at("sweeps")) {
+        const json& presets = sweep.at("presets");
+        if (sweep.at("part") != part || by.part == part || !presets.contains(name) ||
+            !presets.at(name).at("setting").contains(number))
+          continue;
+        values[number] += fmt::format("{}{} {}", values[number].empty() ? "" : ", ", name,
+                                      by.value.dump());
+        parts[number] = by.part;
+        break;
+      }
+  }
+  std::string text;
+  for (const auto& [number, settings] : values)
+    text += "- " +
+            gg::say("`presets.json` has `{}` as part {} asks, which has it, too: {}.", number,
+                    parts[number], settings) +
+            '\n';
+  return text;
+}
+
 } // namespace
 
 std::string chartFile(const std::string& part, const std::string& sweep, gg::Language language) {
@@ -167,16 +211,8 @@ std::string chartSvg(const Measured& measured, const Findings& findings) {
 
 json adoptedPresets(const json& figures) {
   json presets = json::object();
-  std::map<std::string, std::string> partOf; // of a number: from which part its settings are
-  for (const json& sweep : figures.at("sweeps"))
-    for (const auto& [name, preset] : sweep.at("presets").items())
-      for (const auto& [number, value] : preset.at("setting").items()) {
-        const std::string key = name + " " + number;
-        if (partOf.contains(key) && partOf[key] == sweep.at("part").get<std::string>())
-          continue; // the first scene's
-        partOf[key] = sweep.at("part");
-        presets[name][number] = value;
-      }
+  for (const auto& [name, numbers] : decided(figures))
+    for (const auto& [number, by] : numbers) presets[name][number] = by.value;
   return presets;
 }
 
@@ -186,7 +222,7 @@ std::string handoutText(const json& figures, const std::string& part) {
   std::string text;
   for (const json& sweep : figures.at("sweeps"))
     if (sweep.at("part") == part) text += (text.empty() ? "" : "\n") + sweepText(sweep);
-  return text;
+  return text + decidedElsewhere(figures, part);
 }
 
 } // namespace ggrade::tradeoff
