@@ -32,13 +32,22 @@ bool KnownMistakes::isExactly(const Fault& fault, std::size_t scene) const {
 }
 
 std::set<std::string> KnownMistakes::spoiling(const std::optional<diagnosis::Slot>& slot) const {
+  std::set<std::size_t> right; // scenes
+  for (std::size_t i = 0; i < shown_.size(); ++i)
+    if (shown_[i] && !isWrongIn(i)) right.insert(i);
   std::set<std::string> todos;
-  for (const Fault& fault : expected_.faults)
-    if (fault.step == step_ && std::ranges::any_of(fault.spoils, [&](const auto& spoiled) {
-          return spoiled.second == slot;
-        }))
+  for (const Fault& fault : expected_.faults) {
+    const auto isSuch = [&](const auto& spoiled) { return spoiled.second == slot; };
+    const auto isRight = [&](const auto& spoiled) { return right.count(spoiled.first) > 0; };
+    if (fault.step == step_ && std::ranges::any_of(fault.spoils, isSuch) &&
+        std::ranges::none_of(fault.spoils, isRight))
       todos.insert(fault.todo);
+  }
   return todos;
+}
+
+bool KnownMistakes::isWrongIn(std::size_t scene) const {
+  return diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]}).has_value();
 }
 
 SceneViews KnownMistakes::viewsOf(const Fault& fault, std::size_t scene) const {
@@ -128,8 +137,7 @@ bool KnownMistakes::isWrongWhere(const Fault& fault) const {
   for (const std::size_t scene : fault.scenes) {
     if (!shown_[scene]) continue;
     const bool isSeen = fault.spoils.count(scene) > 0;
-    const bool isWrong =
-        diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]}).has_value();
+    const bool isWrong = isWrongIn(scene);
     if (isSeen && !isWrong) return false;
     if (isWrong && isFirst && !isSeen) return false;
     isFirst = isFirst && !isWrong;

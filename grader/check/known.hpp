@@ -24,13 +24,15 @@ public:
   bool isExactly(const Fault& fault, std::size_t scene) const;
 
   /// TODOs of those of which, in a program that has come as far, such a picture is the first wrong
-  /// one of some scene: that of a pass, or, if nothing, the window.
+  /// one of some scene: that of a pass, or, if nothing, the window. Not those of mistakes that
+  /// spoil a scene in which this program is right.
   std::set<std::string> spoiling(const std::optional<diagnosis::Slot>& slot) const;
 
 private:
   std::vector<const Fault*> like(std::size_t scene, std::size_t step) const;
   diagnosis::SceneViews viewsOf(const Fault& fault, std::size_t scene) const;
   bool isWrongBefore(const Fault& fault, std::size_t scene) const;
+  bool isWrongIn(std::size_t scene) const;
   bool isWrongWhere(const Fault& fault) const;
   void keepLikeliest(std::vector<const Fault*>& faults) const;
 
