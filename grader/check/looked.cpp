@@ -110,8 +110,8 @@ std::string noteOf(const Checked& checked, const Row& row) {
     notes = notes.empty() ? note : say("{}; {}", notes, note);
   };
   if (row.state == State::nearly)
-    add(say("the windows are nearly as they should be, and no known mistake explains the rest: a "
-            "detail, here or in another step, or another right way"));
+    add(say("the windows are nearly as they should be: a detail, here or in another step, or "
+            "another right way"));
   if (row.state == State::differs)
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));

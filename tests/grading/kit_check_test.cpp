@@ -154,6 +154,26 @@ TEST_F(Check, TellsAMistakeWithoutComments) {
   EXPECT_EQ(part.at("todos").at(5).at("state"), "not_begun");
 }
 
+TEST_F(Check, SaysThatNothingOfAStepShows) {
+  Submission submission = Submission::firstSteps(4);
+  submission.replace("mirror.hpp", "inline void turnCulling() {\n",
+                     "inline void turnCulling() {\n  glEnable(GL_CULL_FACE); // as it is\n");
+  const json part = checked(submission.path());
+  EXPECT_EQ(part.at("todos").at(4).at("state"), "wrong") << part.dump(1);
+  EXPECT_EQ(part.at("cause"),
+            "Nothing of mirror.5 shows yet: all is as it was before it. Is all of "
+            "it written, and is it called?");
+}
+
+TEST_F(Check, NamesWhatIsToBeDoneInstead) {
+  Arguments shadow = command(Submission::solution().path());
+  shadow[1] = "shadow";
+  const Ended ended = Running(shadow).wait(100);
+  EXPECT_EQ(ended.exitCode, 2);
+  EXPECT_EQ(ended.errors, "ggrade: nothing of shadow is to be done here, so there is nothing to "
+                          "check of it. To do: mirror\n");
+}
+
 TEST_F(Check, KnowsAStepThatStandsInThePlaceOfAnother) {
   // All of the last one is in the third one's place, and in a function that is nobody's.
   Submission submission = Submission::solution();

@@ -76,4 +76,26 @@ TEST_F(CheckKnown, OfAnUnfinishedOneTheLastStepIsWhatWasMadeJustNow) {
   EXPECT_THAT(like(all), ElementsAre("late"));
 }
 
+/// What would show in a scene that is right isn't there.
+TEST_F(CheckKnown, AMistakeThatWouldSpoilARightSceneSpoilsNothing) {
+  Expected made = twoSteps();
+  made.scenes.push_back({"the handout's step 1", {}, {0}, "mirror.1", false});
+  for (diagnosis::Run& step : made.steps) step.push_back(step.front());
+  made.reference = made.steps.back();
+  for (Fault& fault : made.faults) {
+    fault.signature.run.push_back(fault.signature.run.front());
+    if (fault.todo == "mirror.1") fault.scenes.insert(1);
+  }
+  save(made, folder_.path());
+  const Expected all = load(folder_.path());
+  const SceneViews unknown = windowOf(painted(kBothDone, 0.4f, 0.4f, 0.5f, 0.9f, 0.7f));
+  const auto spoiling = [&](const Shown& shown) {
+    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling(std::nullopt);
+  };
+  EXPECT_THAT(spoiling({unknown, std::nullopt}), ElementsAre("mirror.1", "mirror.2"));
+  EXPECT_THAT(spoiling({unknown, unknown}), ElementsAre("mirror.1", "mirror.2"));
+  EXPECT_THAT(spoiling({unknown, windowOf(kBothDone)}), ElementsAre("mirror.2"));
+  EXPECT_THAT(KnownMistakes(all, {unknown}, {}, 2).spoiling(diagnosis::Slot{}), testing::IsEmpty());
+}
+
 } // namespace

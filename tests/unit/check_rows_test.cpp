@@ -222,4 +222,15 @@ TEST(CheckRows, AMistakeOfAnEarlierStepMayShowFirstAtTheLastOne) {
   EXPECT_EQ(after4(), "ddmmn");
 }
 
+/// Its own picture is right, and what it adds to the window may not be.
+TEST(CheckRows, AStepWhoseMistakesSpoilTheWindowIsInDoubtThoughItsPictureIsRight) {
+  SceneViews views = expected().reference[0];
+  views.windows = {diagnosis::reduced(painted(kClipped, 0.1f, 0.1f, 0.9f, 0.5f, 0.9f), 3)};
+  Suspect suspect;
+  suspect.isGuess = true;
+  EXPECT_EQ(states(views, first(5), suspect)[1], 'd');
+  suspect.spoiling = {"m.2"};
+  EXPECT_EQ(states(views, first(5), suspect)[1], 'm');
+}
+
 } // namespace
