@@ -231,7 +231,7 @@ TEST_F(Check, ShowsTheSceneThatItSpeaksOf) {
   const Submission finished = Submission::firstSteps(7);
   const Ended all = Running(command(finished.path())).wait(100);
   EXPECT_THAT(all.out, HasSubstr("Next: every step is done; hand in what you changed in " +
-                                 finished.path().string() + '\n'));
+                                 finished.path().relative_path().string() + '\n'));
   const Ended six = Running(command(Submission::firstSteps(6).path())).wait(100);
   EXPECT_EQ(six.exitCode, 0) << six.out;
   // Pages are too long to be printed where this fails.
