@@ -171,7 +171,13 @@ private:
     } else {
       suspect.also = also_;
     }
-    suspect.isExplained = !checked_.cause.empty() || !observed_.faults.empty() ||
+    nothingNew_ = checked_.cause.empty() && !observed_.isSure && showsNothingNew();
+    if (nothingNew_) {
+      suspect.todo = expected_.todos[drawn_.step - 1];
+      suspect.also.clear();
+      suspect.isGuess = false;
+    }
+    suspect.isExplained = nothingNew_ || !checked_.cause.empty() || !observed_.faults.empty() ||
                           !observed_.guess.empty() ||
                           checked_.happened.outcome == results::Outcome::glError;
     if (!suspect.isExplained && suspect.todo.empty() && isWrongLater(first)) {
@@ -262,7 +268,7 @@ private:
 
   /// Is all that was drawn as before the last step that was begun?
   bool showsNothingNew() const {
-    if (drawn_.step == 0 || allRight(checked_.rows)) return false;
+    if (drawn_.step == 0) return false;
     for (std::size_t i = 0; i < drawn_.shown.size(); ++i)
       if (drawn_.shown[i] &&
           !diagnosis::samePictures(*drawn_.shown[i], expected_.steps[drawn_.step - 1][i]))
@@ -419,7 +425,7 @@ private:
         found.push_back(checked_.titles.empty() ? say("If it is this: {}", checked_.hint)
                                                 : checked_.hint);
     }
-    if (checked_.cause.empty() && showsNothingNew())
+    if (nothingNew_)
       found.insert(found.begin(), say("nothing of {} shows yet: all is as it was before it. Is all "
                                       "of it written, and is it called?",
                                       expected_.todos[drawn_.step - 1]));
@@ -473,6 +479,7 @@ private:
   Drawn drawn_;
   Observed observed_;          // of the public scene
   std::set<std::string> also_; // TODOs of mistakes that show the same as the likeliest one
+  bool nothingNew_ = false;    // is all as before the last step that was begun?
   std::string change_;         // what turns the right picture into the wrong one
   std::string resemblance_;    // to a known mistake
   Checked checked_;
