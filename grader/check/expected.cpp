@@ -19,6 +19,7 @@ namespace ggrade::check {
 
 namespace fs = std::filesystem;
 using diagnosis::Run;
+using diagnosis::SceneViews;
 using gg::say;
 using nlohmann::json;
 
@@ -43,21 +44,26 @@ Run loadRun(std::size_t scenes, const Run* base, const fs::path& folder,
   return run;
 }
 
-/// Of each scene in which a fault spoils anything, the scene and the pass; of a window, null.
+/// Of each scene in which a fault spoils anything: the scene, the pass that is wrong first or null,
+/// and whether the window is wrong.
 json spoiledBy(const Fault& fault, const Expected& expected) {
   json spoils = json::array();
-  for (const std::size_t scene : fault.scenes)
-    if (const auto first = diagnosis::firstWrong({fault.signature.run[scene]},
-                                                 {expected.steps[fault.step][scene]}))
-      spoils.push_back({scene, first->slot ? json(*first->slot) : json()});
+  for (const std::size_t scene : fault.scenes) {
+    const SceneViews &shows = fault.signature.run[scene],
+                     &should = expected.steps[fault.step][scene];
+    if (const auto first = diagnosis::firstWrong({shows}, {should}))
+      spoils.push_back({scene, first->slot ? json(*first->slot) : json(),
+                        !diagnosis::sameWindows(shows, should)});
+  }
   return spoils;
 }
 
 void readSpoiled(const json& spoils, Fault& fault) {
-  for (const json& one : spoils)
-    fault.spoils[one.at(0)] = one.at(1).is_null()
-                                  ? std::nullopt
-                                  : std::optional(one.at(1).get<diagnosis::Slot>());
+  for (const json& one : spoils) {
+    Spoiled& spoiled = fault.spoils[one.at(0)];
+    if (!one.at(1).is_null()) spoiled.first = one.at(1).get<diagnosis::Slot>();
+    one.at(2).get_to(spoiled.window);
+  }
 }
 
 std::string nameOfFault(std::size_t number) {

@@ -32,6 +32,12 @@ struct Scene {
   std::set<std::string> also = {};
 };
 
+/// What a mistake spoils in one scene.
+struct Spoiled {
+  std::optional<diagnosis::Slot> first; ///< the first wrong picture: a pass's; nothing: the window
+  bool window = false;                  ///< is that wrong, too?
+};
+
 /// A mistake that is known by what it shows in a program that has come to some step.
 struct Fault {
   std::string title, hint;
@@ -42,9 +48,8 @@ struct Fault {
   std::set<std::size_t> scenes = {}; ///< in which it is known what it shows
   /// What was read from a file has no pictures yet, see `viewsOf`.
   diagnosis::Signature signature = {};
-  /// Of what was read from a file: in those of its scenes in which it spoils anything, the first
-  /// wrong picture: a pass's, or, if nothing, the window.
-  std::map<std::size_t, std::optional<diagnosis::Slot>> spoils = {};
+  /// Of what was read from a file: by those of its scenes in which it spoils anything.
+  std::map<std::size_t, Spoiled> spoils = {};
 };
 
 struct Expected {

@@ -32,22 +32,29 @@ bool KnownMistakes::isExactly(const Fault& fault, std::size_t scene) const {
 }
 
 std::set<std::string> KnownMistakes::spoiling(const std::optional<diagnosis::Slot>& slot) const {
-  std::set<std::size_t> right; // scenes
-  for (std::size_t i = 0; i < shown_.size(); ++i)
-    if (shown_[i] && !isWrongIn(i)) right.insert(i);
   std::set<std::string> todos;
-  for (const Fault& fault : expected_.faults) {
-    const auto isSuch = [&](const auto& spoiled) { return spoiled.second == slot; };
-    const auto isRight = [&](const auto& spoiled) { return right.count(spoiled.first) > 0; };
-    if (fault.step == step_ && std::ranges::any_of(fault.spoils, isSuch) &&
-        std::ranges::none_of(fault.spoils, isRight))
+  for (const Fault& fault : expected_.faults)
+    if (fault.step == step_ && !isRuledOut(fault) &&
+        std::ranges::any_of(fault.spoils,
+                            [&](const auto& spoiled) { return spoiled.second.first == slot; }))
       todos.insert(fault.todo);
-  }
   return todos;
 }
 
 bool KnownMistakes::isWrongIn(std::size_t scene) const {
   return diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]}).has_value();
+}
+
+/// Is the program right, or its window, in a scene in which this mistake is seen, or its window's
+/// fault is?
+bool KnownMistakes::isRuledOut(const Fault& fault) const {
+  return std::ranges::any_of(fault.spoils, [&](const auto& spoiled) {
+    const auto& [scene, what] = spoiled;
+    if (scene >= shown_.size() || !shown_[scene]) return false;
+    return (what.window && fault.step == step_ &&
+            sameWindows(*shown_[scene], expected_.steps[step_][scene])) ||
+           !isWrongIn(scene);
+  });
 }
 
 SceneViews KnownMistakes::viewsOf(const Fault& fault, std::size_t scene) const {
@@ -133,16 +140,9 @@ bool KnownMistakes::isWrongBefore(const Fault& fault, std::size_t scene) const {
 /// first of those in which the program is wrong? Two may look alike where nothing is drawn any
 /// more.
 bool KnownMistakes::isWrongWhere(const Fault& fault) const {
-  bool isFirst = true;
-  for (const std::size_t scene : fault.scenes) {
-    if (!shown_[scene]) continue;
-    const bool isSeen = fault.spoils.count(scene) > 0;
-    const bool isWrong = isWrongIn(scene);
-    if (isSeen && !isWrong) return false;
-    if (isWrong && isFirst && !isSeen) return false;
-    isFirst = isFirst && !isWrong;
-  }
-  return true;
+  const auto first = std::ranges::find_if(
+      fault.scenes, [&](std::size_t scene) { return shown_[scene] && isWrongIn(scene); });
+  return !isRuledOut(fault) && (first == fault.scenes.end() || fault.spoils.count(*first));
 }
 
 } // namespace ggrade::check

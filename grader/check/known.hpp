@@ -25,7 +25,7 @@ public:
 
   /// TODOs of those of which, in a program that has come as far, such a picture is the first wrong
   /// one of some scene: that of a pass, or, if nothing, the window. Not those of mistakes that
-  /// spoil a scene in which this program is right.
+  /// spoil a scene, or the window of one, in which this program is right.
   std::set<std::string> spoiling(const std::optional<diagnosis::Slot>& slot) const;
 
 private:
@@ -33,6 +33,7 @@ private:
   diagnosis::SceneViews viewsOf(const Fault& fault, std::size_t scene) const;
   bool isWrongBefore(const Fault& fault, std::size_t scene) const;
   bool isWrongIn(std::size_t scene) const;
+  bool isRuledOut(const Fault& fault) const;
   bool isWrongWhere(const Fault& fault) const;
   void keepLikeliest(std::vector<const Fault*>& faults) const;
 

@@ -98,4 +98,28 @@ TEST_F(CheckKnown, AMistakeThatWouldSpoilARightSceneSpoilsNothing) {
   EXPECT_THAT(KnownMistakes(all, {unknown}, {}, 2).spoiling(diagnosis::Slot{}), testing::IsEmpty());
 }
 
+/// Two may spoil the same pass; one of them spoils the window, too, which is right.
+TEST_F(CheckKnown, AMistakeThatWouldSpoilARightWindowIsntMeant) {
+  Expected made = twoSteps();
+  const auto withPass = [](SceneViews views, float grey) {
+    views.passes = {{{}, 8, 8, diagnosis::reduced(Image(8, 8, 3, grey), 3)}};
+    return views;
+  };
+  for (diagnosis::Run& step : made.steps) step[0] = withPass(step[0], 0.5f);
+  made.reference = made.steps.back();
+  made.faults.clear();
+  for (const auto& [todo, window] :
+       {std::pair("mirror.1", kWrongEnd), {"mirror.2", windowOf(kBothDone)}})
+    made.faults.push_back(
+        {todo, "A hint", "", todo, {}, 2, {0}, {todo, todo, {withPass(window, 1)}}});
+  save(made, folder_.path());
+  const Expected all = load(folder_.path());
+  const auto spoiling = [&](const SceneViews& window) {
+    const Shown shown{withPass(window, 0)};
+    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling(diagnosis::Slot{});
+  };
+  EXPECT_THAT(spoiling(windowOf(kBothDone)), ElementsAre("mirror.2"));
+  EXPECT_THAT(spoiling(kWrongEnd), ElementsAre("mirror.1", "mirror.2"));
+}
+
 } // namespace
