@@ -171,12 +171,13 @@ private:
     } else {
       suspect.also = also_;
     }
-    nothingNew_ = checked_.cause.empty() && !observed_.isSure && showsNothingNew();
-    if (nothingNew_) {
+    suspect.showsNothing = checked_.cause.empty() && !observed_.isSure && showsNothingNew();
+    if (suspect.showsNothing) {
       suspect.todo = expected_.todos[drawn_.step - 1];
       suspect.also.clear();
       suspect.isGuess = false;
     }
+    nothingNew_ = suspect.showsNothing;
     suspect.isExplained = nothingNew_ || !checked_.cause.empty() || !observed_.faults.empty() ||
                           !observed_.guess.empty() ||
                           checked_.happened.outcome == results::Outcome::glError;

@@ -421,12 +421,13 @@ private:
           row.state = State::maybe;
     };
     if (isKnown && !suspect_.also.empty()) return mayBe(suspect_.also);
+    if (suspect_.showsNothing) return doubtUnseenBefore(culprit);
     if (!wrong_ || isKnown || !(inWindows || suspect_.isGuess)) return;
     if (isLast && !suspect_.isLater && !isInAnother()) {
       std::set<std::string> earlier = shownFirstHere();
       earlier.erase(culprit.todo);
       if (!earlier.empty()) mayBe(earlier);
-      return;
+      return doubtUnseenBefore(culprit);
     }
     mayBe(suspect_.isLater ? begun_ : drawing);
     mayBe(suspect_.also);
@@ -435,12 +436,15 @@ private:
     for (std::size_t k = 1; &all_[k - 1] < &culprit; ++k)
       if (first_[k] && waiting.count(all_[k - 1].todo) && !judging_.isOneScene(*first_[k], *wrong_))
         all_[k - 1].state = State::maybe;
-    // Of what they stand on nothing may have been seen before.
-    for (std::size_t k = should_; k > 1; --k)
-      if (all_[k - 1].state == State::maybe &&
-          (waiting.count(all_[k - 1].todo) || &all_[k - 1] == &culprit) && !all_[k - 2].seen &&
-          isBegun(all_[k - 2]))
-        all_[k - 2].state = State::maybe;
+    for (Row& row : all_)
+      if (row.state == State::maybe && (waiting.count(row.todo) || &row == &culprit))
+        doubtUnseenBefore(row);
+  }
+
+  /// Of what it stands on nothing may have been seen before.
+  void doubtUnseenBefore(Row& row) {
+    for (std::size_t k = indexOf(row); k > 1 && !all_[k - 2].seen && isBegun(all_[k - 2]); --k)
+      all_[k - 1].state = all_[k - 2].state = State::maybe;
   }
 
   const Expected& expected_;

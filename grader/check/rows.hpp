@@ -39,10 +39,11 @@ using Shown = std::vector<std::optional<diagnosis::SceneViews>>;
 
 /// Where a mistake may lie.
 struct Suspect {
-  std::string todo;         ///< empty: nothing is known
-  bool isExplained = false; ///< is it known what is wrong? Then little is wrong, too
-  bool isGuess = false;     ///< others may be wrong instead, by what pictures tell
-  bool isSure = false;      ///< also where a step before it was left out
+  std::string todo;          ///< empty: nothing is known
+  bool isExplained = false;  ///< is it known what is wrong? Then little is wrong, too
+  bool isGuess = false;      ///< others may be wrong instead, by what pictures tell
+  bool isSure = false;       ///< also where a step before it was left out
+  bool showsNothing = false; ///< all is as before it
   /// First frames are right, so pictures don't tell whose fault later ones are.
   bool isLater = false;
   std::set<std::string> also{};     ///< TODOs that are as likely

@@ -233,4 +233,17 @@ TEST(CheckRows, AStepWhoseMistakesSpoilTheWindowIsInDoubtThoughItsPictureIsRight
   EXPECT_EQ(states(views, first(5), suspect)[1], 'm');
 }
 
+/// The first one shows nothing by itself, and the second may lack what that should have made.
+TEST(CheckRows, WhatShowsNothingMayStandOnWhatWasNotSeen) {
+  const Expected all = expected();
+  Suspect suspect{"m.2", true};
+  suspect.showsNothing = true;
+  EXPECT_EQ(states(all.steps[1][0], first(2), suspect), "mmnnn");
+  Suspect guess;
+  guess.isGuess = true;
+  EXPECT_EQ(states(all.steps[1][0], first(2), guess), "mmnnn");
+  suspect.todo = "m.3";
+  EXPECT_EQ(states(all.steps[2][0], first(3), suspect), "ddwnn");
+}
+
 } // namespace
