@@ -42,7 +42,11 @@ std::set<std::string> KnownMistakes::spoiling(const std::optional<diagnosis::Slo
 }
 
 bool KnownMistakes::isWrongIn(std::size_t scene) const {
-  return diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]}).has_value();
+  const auto [known, fresh] = wrong_.try_emplace(scene);
+  if (fresh)
+    known->second =
+        diagnosis::firstWrong({*shown_[scene]}, {expected_.steps[step_][scene]}).has_value();
+  return known->second;
 }
 
 /// Is the program right, or its window, in a scene in which this mistake is seen, or its window's

@@ -37,6 +37,7 @@ private:
   bool isWrongWhere(const Fault& fault) const;
   void keepLikeliest(std::vector<const Fault*>& faults) const;
 
+  mutable std::map<std::size_t, bool> wrong_; // by scene that was asked for
   const Expected& expected_;
   const Shown& shown_;
   const std::set<std::string>& begun_;

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -10,6 +11,7 @@
 #include <sched.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace fs = std::filesystem;
@@ -128,6 +130,25 @@ TEST_P(SandboxEnds, AFileThatCannotBeExecutedIsNotOurFault) {
   EXPECT_EQ(result.end, End::exited) << describe(result);
   EXPECT_EQ(result.exitCode, 126);
   EXPECT_EQ(result.detail, "cannot execute /attack/data/program: Exec format error");
+}
+
+/// As where another thread starts a process just when the program was written.
+TEST_P(SandboxEnds, AProgramThatIsStillOpenForWritingIsWaitedFor) {
+  if (delegated()) return;
+  const std::string program = folder() + "/data/program";
+  fs::copy_file("/bin/true", program);
+  Command command = attack("exit");
+  command.arguments = {"/attack/data/program"};
+  std::ofstream open(program, std::ios::binary | std::ios::in);
+  ASSERT_TRUE(open);
+  std::thread closer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    open.close();
+  });
+  const Result result = run(command);
+  closer.join();
+  EXPECT_EQ(result.end, End::exited) << describe(result);
+  EXPECT_EQ(result.exitCode, 0) << describe(result);
 }
 
 // In a user namespace of its own, whose settings hurt nobody.

@@ -60,6 +60,11 @@ struct Failure {
   volatile int step = -1, error = 0;
 };
 
+/// A program that somebody still has open for writing is tried so often, with so many microseconds
+/// between.
+constexpr int kMostTries = 100;
+constexpr useconds_t kBetweenTries = 20000;
+
 /// In a child of vfork, whose memory is ours: becomes the command, or says why not.
 [[noreturn]] void becomeCommand(const HelperPlan& plan, Failure& failure) {
   const auto fail = [&](int step) {
@@ -75,8 +80,14 @@ struct Failure {
   close_range(3, ~0u, CLOSE_RANGE_CLOEXEC);
   if (plan.inherited >= 0) fcntl(static_cast<int>(plan.inherited), F_SETFD, 0);
   if (!setLimits(plan)) fail(1);
-  execve(plan.arguments[0].c_str(), pointers(plan.arguments).data(),
-         pointers(plan.environment).data());
+  const auto arguments = pointers(plan.arguments), environment = pointers(plan.environment);
+  // Who has just written the program has closed it; a process that was started meanwhile by another
+  // thread holds what it inherited until it becomes a program itself.
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    execve(plan.arguments[0].c_str(), arguments.data(), environment.data());
+    if (errno != ETXTBSY) break;
+    usleep(kBetweenTries);
+  }
   // A missing interpreter gives ENOENT too, but then the file itself is there.
   const int error = errno;
   const int step = access(plan.arguments[0].c_str(), F_OK) == 0 ? 3 : 2;
