@@ -1,6 +1,7 @@
 #include "check/known.hpp"
 
 #include "diagnosis/outcome.hpp"
+#include "grading/parallel.hpp"
 
 #include <fmt/format.h>
 
@@ -69,6 +70,9 @@ SceneViews KnownMistakes::viewsOf(const Fault& fault, std::size_t scene) const {
 std::vector<const Fault*> KnownMistakes::like(std::size_t scene, std::size_t step) const {
   diagnosis::KnownFaults known;
   known.reference = {expected_.steps[step][scene]};
+  known.forEach = [](std::size_t count, const std::function<void(std::size_t)>& task) {
+    grading::inParallel(count, grading::workers(), task); // somebody waits for it
+  };
   std::vector<const Fault*> faults;
   const std::vector<diagnosis::Slot> own = ownPasses(expected_, *shown_[scene], scene);
   for (const Fault& fault : expected_.faults) {

@@ -337,12 +337,13 @@ bool windowsShowNothing(const Run& student) {
 std::optional<Identified> identifyBySlots(const Run& student, const KnownFaults& known,
                                           const Thresholds& thresholds,
                                           const std::vector<bool>& leftOut) {
-  const auto& [reference, signatures] = known;
+  const auto& [reference, signatures, forEach] = known;
   const ComparedRun ours = compared(student, reference);
   std::vector<Likeness> likes(signatures.size());
-  for (std::size_t i = 0; i < signatures.size(); ++i)
+  forEach(signatures.size(), [&](std::size_t i) {
     if (i >= leftOut.size() || !leftOut[i])
       likes[i] = likeness(ours, compared(signatures[i].run, reference), reference);
+  });
   const auto groupOf = [&](std::size_t i) {
     return signatures[i].group.empty() ? signatures[i].name : signatures[i].group;
   };
@@ -398,17 +399,22 @@ std::optional<Identified> identifyBySlots(const Run& student, const KnownFaults&
 
 } // namespace
 
+void inTurn(std::size_t count, const std::function<void(std::size_t)>& task) {
+  for (std::size_t i = 0; i < count; ++i) task(i);
+}
+
 std::optional<Identified> KnownFaults::identify(const Run& student, const Thresholds& thresholds,
                                                 const std::vector<bool>& leftOut) const {
   if (auto found = identifyBySlots(student, *this, thresholds, leftOut)) return found;
   const Run ours = corresponding(student, reference);
-  KnownFaults known{withPassesOf(ours, reference), signatures};
+  KnownFaults known{withPassesOf(ours, reference), signatures, forEach};
   // Passes that are missing aren't compared here: where the others are right, an empty window alone
   // would name a fault.
   if (windowsShowNothing(ours) && passShowsNothing(ours, firstWrong(ours, known.reference)))
     return std::nullopt;
-  for (Signature& signature : known.signatures)
-    signature.run = corresponding(signature.run, reference);
+  forEach(known.signatures.size(), [&](std::size_t i) {
+    known.signatures[i].run = corresponding(known.signatures[i].run, reference);
+  });
   return identifyBySlots(ours, known, thresholds, leftOut);
 }
 

@@ -4,6 +4,7 @@
 
 #include "diagnosis/views.hpp"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -93,10 +94,18 @@ struct Identified {
   double confidence = 0; ///< 0 to 1
 };
 
+/// Calls task(0) ... task(count - 1), in any order, maybe several at a time.
+using ForEach =
+    std::function<void(std::size_t count, const std::function<void(std::size_t)>& task)>;
+
+/// One after the other.
+void inTurn(std::size_t count, const std::function<void(std::size_t)>& task);
+
 /// Known faults, all rendered in the same scenes as the reference.
 struct KnownFaults {
   Run reference;
   std::vector<Signature> signatures;
+  ForEach forEach = inTurn; ///< signatures are compared so
 
   /// The signature that shows what the submission shows: in everything; else in the window, if that
   /// fault is not in a pass or the windows are the same and that pass is not the reference's (it
