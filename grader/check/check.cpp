@@ -230,12 +230,10 @@ private:
   }
 
   bool isNearlyTogether() const {
-    const SceneViews& should = expected_.steps[drawn_.step][0];
-    for (std::size_t i = 0; i < should.windows.size(); ++i)
-      if (diagnosis::differingShare(&should.windows[i], &drawn_.shown[0]->windows[i]) >
-          kOtherEffects)
-        return false;
-    return true;
+    return std::ranges::equal(expected_.steps[drawn_.step][0].windows, drawn_.shown[0]->windows,
+                              [](const Image& should, const Image& is) {
+                                return diagnosis::differingShare(&should, &is) <= kOtherEffects;
+                              });
   }
 
   /// A texture of another size is made in the step before those that draw into it, and nobody sees

@@ -179,8 +179,7 @@ std::string stepToRead(const Looked& looked, bool isLast) {
   if (!looked.checked.drawn) return {};
   const Row* row = rowToLookAt(looked.checked);
   if (!row)
-    return isLast ? say("every step is done; hand in what you changed in {}",
-                        shown(looked.folder))
+    return isLast ? say("every step is done; hand in what you changed in {}", shown(looked.folder))
                   : std::string();
   const Todo& todo = todoOf(*looked.part, row->todo);
   if (isTogether(*looked.expected)) return fmt::format("{}: {}", looked.handout, words(todo.title));

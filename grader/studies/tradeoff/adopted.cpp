@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <regex>
 
@@ -156,24 +157,26 @@ std::map<std::string, std::map<std::string, Decided>> decided(const json& figure
   return all;
 }
 
+bool hasInTable(const json& figures, const std::string& part, const std::string& preset,
+                const std::string& number) {
+  return std::ranges::any_of(figures.at("sweeps"), [&](const json& sweep) {
+    const json& presets = sweep.at("presets");
+    return sweep.at("part") == part && presets.contains(preset) &&
+           presets.at(preset).at("setting").contains(number);
+  });
+}
+
 /// Which numbers of a part's tables presets.json has otherwise, since a later part decides them.
 std::string decidedElsewhere(const json& figures, const std::string& part) {
   std::map<std::string, std::string> values, parts; // by number
-  const auto all = decided(figures);
-  for (const char* const name : kPresets) {
-    if (!all.contains(name)) continue;
-    for (const auto& [number, by] : all.at(name))
-      for (const json& sweep : figures.at("sweeps")) {
-        const json& presets = sweep.at("presets");
-        if (sweep.at("part") != part || by.part == part || !presets.contains(name) ||
-            !presets.at(name).at("setting").contains(number))
-          continue;
-        values[number] += fmt::format("{}{} {}", values[number].empty() ? "" : ", ", name,
-                                      by.value.dump());
+  auto all = decided(figures);
+  for (const char* const name : kPresets)
+    for (const auto& [number, by] : all[name])
+      if (by.part != part && hasInTable(figures, part, name, number)) {
+        std::string& text = values[number];
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, by.value.dump());
         parts[number] = by.part;
-        break;
       }
-  }
   std::string text;
   for (const auto& [number, settings] : values)
     text += "- " +
