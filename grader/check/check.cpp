@@ -157,7 +157,7 @@ private:
     // what is observed may explain all.
     const Image* wrong = pictureOf(*drawn_.shown[first.scene], first);
     const bool isAlone = checked_.titles.empty(); // a list is a doubt already
-    if (observed_.isState ||
+    if (observed_.isState || !drawn_.facts.incomplete.empty() ||
         ((isAlone || !first.slot) && (!wrong || diagnosis::isOneColour(*wrong))))
       doubtCatalogue();
     suspect.isSure = !checked_.cause.empty() || observed_.isSure;

@@ -372,7 +372,9 @@ diagnosis::Facts factsOf(const channel::Capture& capture, const trace::Trace& tr
   for (const channel::CapturedFrame& frame : capture.frames)
     facts.frames.push_back({frame.windowDraws, frame.boundFramebuffer});
   for (const trace::PassRecord& pass : trace.passes) {
-    if (pass.framebuffer == 0 || pass.framebuffer == trace::kNone || pass.draws == 0) continue;
+    if (pass.framebuffer == 0 || pass.framebuffer == trace::kNone ||
+        pass.kind != std::uint32_t(trace::PassKind::draw))
+      continue;
     const std::string status = trace::glName(pass.status);
     if (status != "FRAMEBUFFER_COMPLETE" &&
         std::ranges::find(facts.incomplete, status) == facts.incomplete.end())

@@ -166,6 +166,21 @@ TEST_F(Check, SaysThatNothingOfAStepShows) {
             "it written, and is it called?");
 }
 
+/// The call fails in the step that draws, and the framebuffer object is that of the step before.
+TEST_F(Check, DoubtsTheStepThatMadeAnIncompleteFramebufferObject) {
+  Submission submission = Submission::firstSteps(2);
+  submission.replace("mirror.hpp", "  glFramebufferTexture2D(",
+                     "  if (false) glFramebufferTexture2D(");
+  submission.replace("mirror.hpp", "  glFramebufferRenderbuffer(",
+                     "  if (false) glFramebufferRenderbuffer(");
+  submission.replace("mirror.hpp", "  if (glCheckFramebufferStatus(",
+                     "  if (size < 0 && glCheckFramebufferStatus(");
+  const json part = checked(submission.path());
+  EXPECT_EQ(part.at("todos").at(0).at("state"), "maybe") << part.dump(1);
+  EXPECT_EQ(part.at("todos").at(1).at("state"), "maybe");
+  EXPECT_THAT(part.at("cause"), HasSubstr("not complete (FRAMEBUFFER_INCOMPLETE_MISSING"));
+}
+
 TEST_F(Check, NamesWhatIsToBeDoneInstead) {
   Arguments shadow = command(Submission::solution().path());
   shadow[1] = "shadow";
