@@ -362,8 +362,9 @@ private:
     wrong.another = expected_.scenes[first.scene].another;
     wrong.share = first.differing;
     if (first.missing)
-      wrong.missing = first.slot->stencil ? say("it holds only 0 at the frame's end")
-                                          : say("the program draws no such picture");
+      wrong.missing = first.slot->stencil
+                          ? say("it holds only 0 at the frame's end")
+                          : say("not found among the pictures that the program draws");
     // Where another texture is drawn into it may be an attachment that is missing.
     if (first.missing && first.slot->mesh &&
         std::ranges::none_of(drawn_.shown[first.scene]->passes,
@@ -402,7 +403,9 @@ private:
     result.outcome = checked_.happened.outcome;
     result.detail = checked_.happened.detail;
     result.compilerOutput = drawn_.compilerOutput;
-    if (const auto observed = diagnosis::outcomeDiagnosis(result, drawn_.facts)) {
+    diagnosis::Facts facts = drawn_.facts;
+    facts.endedItself = !checked_.happened.signalled;
+    if (const auto observed = diagnosis::outcomeDiagnosis(result, facts)) {
       checked_.cause = observed->text;
       checked_.hint.clear();
       // A program that ended itself has said why, in its last words.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 #include <span>
 
 namespace ggrade::diagnosis {
@@ -379,6 +380,10 @@ std::optional<Identified> identifyBySlots(const Run& student, const KnownFaults&
     if (unlike > thresholds.margin) return std::nullopt;
     found.confidence = found.likeness * (1 - unlike);
     if (found.confidence < thresholds.confidence) return std::nullopt;
+    // It is one of them, and nothing tells which.
+    std::set<std::string> groups = {groupOf(found.signature)};
+    for (const std::size_t other : found.alike) groups.insert(groupOf(other));
+    found.confidence /= double(groups.size());
     return found;
   };
   if (auto found = by(&Likeness::all, Identified::By::everything, thresholds.like)) return found;

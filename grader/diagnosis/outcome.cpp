@@ -124,8 +124,11 @@ std::optional<Diagnosis> outcomeDiagnosis(const results::Result& result, const F
     return found;
   case Outcome::crash:
     found.text =
-        say("The program crashes. Most often a GL name or a pointer is used that was never "
-            "made, or an index lies outside of its array.");
+        facts.endedItself
+            ? say("The program ends itself: by an exception that nobody catches, or an exit. What "
+                  "it said stands in the message above; look for where that is thrown.")
+            : say("The program crashes. Most often a GL name or a pointer is used that was never "
+                  "made, or an index lies outside of its array.");
     return found;
   case Outcome::outOfMemory:
     found.text =
@@ -189,7 +192,7 @@ std::vector<StepRecord> windowSteps(const trace::Trace& trace, std::size_t frame
 std::vector<StepRecord> meshSteps(const trace::Trace& trace, const PassRecord& pass) {
   std::vector<StepRecord> steps;
   for (const StepRecord& step : trace.stepsOf(pass))
-    if (step.vertices > kMostOfAScreen) steps.push_back(step);
+    if (trace::drawsMesh(step)) steps.push_back(step);
   return steps;
 }
 

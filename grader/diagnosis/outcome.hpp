@@ -19,10 +19,11 @@ struct FrameFacts {
   unsigned boundFramebuffer = 0; ///< at the swap; 0 is the window
 };
 
-/// What one run of a program told besides pictures.
+/// What a program's runs told besides pictures: the first scene's, and how a bad one ended.
 struct Facts {
   std::vector<FrameFacts> frames;
   std::vector<std::string> incomplete; ///< status of framebuffers that were drawn into in vain
+  bool endedItself = false;            ///< the run that ended badly was not ended by a signal
 };
 
 /// The diagnosis of a result that has an outcome other than `graded`, or whose frames show nothing

@@ -79,10 +79,10 @@ Image evened(Image image) {
 
 /// Was a mesh drawn into this, or into what it is a blit or copy of?
 bool showsMesh(const trace::Trace& trace, const trace::PassRecord& pass) {
-  if (pass.kind == std::uint32_t(trace::PassKind::draw)) return pass.vertices > kMostOfAScreen;
+  if (pass.kind == std::uint32_t(trace::PassKind::draw)) return trace.drewObjects(pass);
   for (const trace::StepRecord& step : trace.stepsOf(pass))
     for (const trace::SampleRecord& sample : trace.samplesOf(step))
-      if (sample.writer != trace::kNone && trace.passes[sample.writer].vertices > kMostOfAScreen)
+      if (sample.writer != trace::kNone && trace.drewObjects(trace.passes[sample.writer]))
         return true;
   return false;
 }

@@ -13,9 +13,6 @@
 
 namespace ggrade::diagnosis {
 
-/// A quad or triangle has six vertices at most, and two have this; the smallest mesh has many more.
-inline constexpr std::uint64_t kMostOfAScreen = 12;
-
 /// Pictures are compared with at most so many pixels on their longer side.
 inline constexpr int kSide = 160;
 

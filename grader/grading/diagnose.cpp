@@ -136,8 +136,8 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
   for (const Part& part : target.parts) {
     const std::vector<std::string> lost = lostItems(result, part);
     if (lost.empty()) continue;
-    if (observed && result.outcome == results::Outcome::graded) {
-      // Seen, not concluded: no picture can be surer.
+    // Seen, not concluded: no picture can be surer. That OpenGL reports errors says little.
+    if (observed && observed->id != results::name(results::Outcome::glError)) {
       all.push_back(*observed);
       all.back().part = part.id;
       all.back().step = stepOfWorst(result, part);

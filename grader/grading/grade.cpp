@@ -416,8 +416,11 @@ Graded Grader::draw(const Built& built, std::size_t count) {
     rubric::writeFrames(scene.student, rawFrames(scene.rendering.capture));
   time.reset();
   nameOutcome(scenes, known, graded.result);
-  if (!scenes.empty())
-    graded.facts = factsOf(scenes[0].rendering.capture, trace::load(scenes[0].student));
+  if (scenes.empty()) return graded;
+  graded.facts = factsOf(scenes[0].rendering.capture, trace::load(scenes[0].student));
+  const auto ended = std::ranges::find_if(
+      scenes, [](const GradedScene& scene) { return !scene.rendering.happened.ok(); });
+  graded.facts.endedItself = ended != scenes.end() && !ended->rendering.happened.signalled;
   return graded;
 }
 

@@ -107,7 +107,7 @@ struct Diagnosis {
   std::string part;                ///< of the assignment; empty: of all
   std::string text;                ///< what it is most likely, and what to look at
   std::string step;                ///< heading of the handout to read again
-  double confidence = 0;           ///< 0 to 1
+  double confidence = 0;           ///< 0 to 1; what shows the same shares it
   std::string picture;             ///< the first picture that is wrong: a pass's, or the window's
   std::string amount;              ///< how much of it
   std::string scene;               ///< where that was seen

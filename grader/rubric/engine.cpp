@@ -47,7 +47,7 @@ public:
         results_(results) {}
 
   void TestBody() override {
-    const Decision decision = decide(item_, judgeOf(item_.id), evidence_, floors_);
+    const Decision decision = decide(item_, items_, judgeOf(item_.id), evidence_, floors_);
     const bool keep = item_.kind == results::ItemKind::keep;
     json line = lineOf(item_, decision);
     line["outputs"] = outputsOf(item_, items_, decision, evidence_);
@@ -94,6 +94,16 @@ const SceneEvidence* baseOf(const SceneEvidence& scene, const Evidence& evidence
   return nullptr;
 }
 
+/// Is something else lost with the frames of a scene that never came: what is gained there, or in
+/// the scene that it is a change of, which didn't come either?
+bool losesElsewhere(const SceneEvidence& scene, const std::vector<ItemDeclaration>& items,
+                    const Evidence& evidence) {
+  if (!scene.like.empty() && !baseOf(scene, evidence)) return true;
+  return std::ranges::any_of(items, [&](const ItemDeclaration& item) {
+    return item.kind != results::ItemKind::keep && looksAt(item, scene);
+  });
+}
+
 } // namespace
 
 bool add(const std::string& item, Judge judge) {
@@ -134,8 +144,8 @@ void warm(const ItemDeclaration& item, const Judge& judge, const Evidence& evide
   }
 }
 
-Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence,
-                Floors* floors) {
+Decision decide(const ItemDeclaration& item, const std::vector<ItemDeclaration>& items,
+                const Judge& judge, const Evidence& evidence, Floors* floors) {
   const auto floorOf = [&](const SceneEvidence& scene) {
     const auto known = [&] {
       return checked(judge, {scene, scene.stub, scene.stubTrace, nullptr}).quality;
@@ -153,8 +163,8 @@ Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence&
     double credit = 0;
     std::string message;
     if (scene.student.size() < scene.frameCount) {
-      // What never came harmed nothing; the gains are lost already.
-      if (item.kind == results::ItemKind::keep) continue;
+      // What never came is lost once: where others have it to lose, it harmed nothing.
+      if (item.kind == results::ItemKind::keep && losesElsewhere(scene, items, evidence)) continue;
       message = gg::say("{} of {} frames came", scene.student.size(), scene.frameCount);
     } else if (const auto odd = std::mismatch(scene.reference.begin(), scene.reference.end(),
                                               scene.student.begin(), sameSize);

@@ -4,9 +4,6 @@ namespace ggrade::rubric {
 
 namespace {
 
-/// A quad or triangle has six vertices at most; the smallest object of a scene has many more.
-constexpr std::uint64_t kMostOfAScreen = 12;
-
 // What is looked at of one frame: many times what a right program has. A program that claims
 // thousands of textures must not keep the judge busy for hours.
 constexpr std::size_t kMostDrawn = 64;
@@ -25,10 +22,6 @@ const trace::SampleRecord* firstSample(const trace::Trace& trace, const trace::P
 
 } // namespace
 
-bool drewObjects(const trace::PassRecord& pass) {
-  return pass.vertices > kMostOfAScreen;
-}
-
 std::vector<Drawn> sampledLater(const trace::Trace& trace) {
   std::vector<Drawn> all;
   if (trace.frames.empty()) return all;
@@ -40,7 +33,7 @@ std::vector<Drawn> sampledLater(const trace::Trace& trace) {
       if (image.kind != std::uint32_t(trace::ImageKind::texture)) continue;
       const trace::CopyRecord* copy = trace.copyOf(trace.indexOf(pass), a);
       if (!copy) continue;
-      Drawn drawn{&pass, a, copy, nullptr, nullptr, image.format, {}};
+      Drawn drawn{&pass, a, trace.drewObjects(pass), copy, nullptr, nullptr, image.format, {}};
       for (std::size_t j = i + 1; j < passes.size() && !drawn.reader; ++j)
         if (const trace::SampleRecord* sample =
                 firstSample(trace, passes[j], trace.indexOf(pass), image, &drawn.readingStep)) {

@@ -14,6 +14,7 @@ namespace ggrade::rubric {
 struct Drawn {
   const trace::PassRecord* pass = nullptr; ///< that drew it
   std::uint32_t attachment = 0;
+  bool ofObjects = false; ///< a mesh was drawn, not full-screen quads alone
   const trace::CopyRecord* copy = nullptr;
   const trace::PassRecord* reader = nullptr; ///< the first that sampled it
   const trace::StepRecord* readingStep = nullptr;
@@ -24,8 +25,5 @@ struct Drawn {
 /// Every attachment of frame 0 that a later pass of the frame samples and that was copied, in the
 /// order in which the passes drew; the first 64.
 std::vector<Drawn> sampledLater(const trace::Trace& trace);
-
-/// Was this drawn as a mesh, not as a full-screen quad?
-bool drewObjects(const trace::PassRecord& pass);
 
 } // namespace ggrade::rubric

@@ -75,9 +75,10 @@ using Floors = std::map<std::pair<std::string, const SceneEvidence*>, double>;
 
 /// Gain and bonus items: the student's quality on the scale from the stub's (0) to the reference's
 /// (1). Keep items: the quality itself; what is missing from 1 is taken away. A missing frame has
-/// credit 0.
-Decision decide(const ItemDeclaration& item, const Judge& judge, const Evidence& evidence,
-                Floors* floors = nullptr);
+/// credit 0; of keep items only in a scene in which nothing is gained.
+///   items: all of the rubric
+Decision decide(const ItemDeclaration& item, const std::vector<ItemDeclaration>& items,
+                const Judge& judge, const Evidence& evidence, Floors* floors = nullptr);
 
 /// Asks about the reference and the stub in every scene that the item looks at: `floors` then knows
 /// the stub's qualities, and the rubric what it keeps of a scene.

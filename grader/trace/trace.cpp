@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <stdexcept>
@@ -30,7 +31,18 @@ std::vector<std::byte> readPart(const std::filesystem::path& file, std::uint64_t
   return bytes;
 }
 
+/// A quad or triangle has six vertices at most, and two have this; the smallest mesh has many more.
+constexpr std::uint64_t kMostOfAScreen = 12;
+
 } // namespace
+
+bool drawsMesh(const StepRecord& step) {
+  return step.vertices > kMostOfAScreen * std::max(step.draws, 1U);
+}
+
+bool Trace::drewObjects(const PassRecord& pass) const {
+  return std::ranges::any_of(stepsOf(pass), drawsMesh);
+}
 
 std::span<const StepRecord> Trace::stepsOf(const PassRecord& pass) const {
   return std::span(steps).subspan(pass.firstStep, pass.stepCount);

@@ -22,6 +22,9 @@ struct FrameTrace {
   std::uint64_t bufferBytes = 0; ///< buffer objects
 };
 
+/// Are these draws of a mesh, not of full-screen quads?
+bool drawsMesh(const StepRecord& step);
+
 /// All records have been checked: indices lie in their tables, sizes agree. Passes stand in the
 /// order in which they began.
 struct Trace {
@@ -34,6 +37,8 @@ struct Trace {
   std::uint32_t passesLost = 0, stepsLost = 0, matricesLost = 0, samplesLost = 0, copiesLost = 0;
 
   std::span<const StepRecord> stepsOf(const PassRecord& pass) const;
+  /// Did a pass draw a mesh, not full-screen quads alone, however many?
+  bool drewObjects(const PassRecord& pass) const;
   std::span<const MatrixRecord> matricesOf(const StepRecord& step) const;
   std::span<const SampleRecord> samplesOf(const StepRecord& step) const;
   /// Index of a pass in `passes`.

@@ -236,7 +236,7 @@ Verdict occlusion(const Image& open, const Openness& right, const std::string& w
 GGRADE_ITEM("figure.occlusion", [](const View& view) {
   Verdict best{0, gg::say("no pass draws it into a texture that a later pass reads")};
   for (const Texture& found : texturesOf(view.trace, view.scene.reference.at(0))) {
-    if (drewObjects(*found.drawn.pass) || findNonFinite(found.image)) continue;
+    if (found.drawn.ofObjects || findNonFinite(found.image)) continue;
     const Verdict one = occlusion(found.image, inTexture(view.scene), gg::say("a texture"));
     if (one.quality > best.quality) best = one;
   }

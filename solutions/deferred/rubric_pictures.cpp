@@ -73,7 +73,7 @@ std::vector<PassOutput> outputOfObjects(const View& view,
   std::vector<PassOutput> right = outputOf(view.scene.referenceTrace, samplers);
   if (own.size() == right.size() || view.trace.frames.empty()) return own;
   for (const trace::PassRecord& pass : view.trace.passesOf(0)) {
-    if (pass.framebuffer == 0 || !drewObjects(pass)) continue;
+    if (pass.framebuffer == 0 || !view.trace.drewObjects(pass)) continue;
     for (PassOutput& output : right) output.pass = view.trace.indexOf(pass);
     return right;
   }

@@ -38,7 +38,7 @@ Verdict window(const View& view) {
 }
 
 bool ofObjects(const Texture& texture) {
-  return drewObjects(*texture.drawn.pass);
+  return texture.drawn.ofObjects;
 }
 
 /// The textures that hold the kinds, and how right they are.

@@ -2,7 +2,7 @@
 //
 // The scene is drawn into half floats. Its bright parts go into a row of pictures, the levels, each
 // half as large as the one before and a little more blurred; their sum is added to the scene. What
-// you write stands in the order of the steps; bloomPasses(), below, calls it in a frame's.
+// you write stands in the order of the steps; it is called below and in floor.cpp.
 #pragma once
 
 #include <gg/gg.hpp>

@@ -150,7 +150,7 @@ GGRADE_ITEM("mirror.shading", [](const View& view) {
 std::vector<Drawn> objectTextures(const trace::Trace& trace) {
   std::vector<Drawn> all = sampledLater(trace);
   std::erase_if(all, [](const Drawn& drawn) {
-    return drawn.attachment >= trace::kColors || !drewObjects(*drawn.pass);
+    return drawn.attachment >= trace::kColors || !drawn.ofObjects;
   });
   return all;
 }

@@ -13,7 +13,6 @@ namespace floor_rubric {
 using namespace ggrade;
 
 using rubric::Drawn;
-using rubric::drewObjects;
 using rubric::sampledLater;
 
 /// The colours of `image` (any size) at the pixels of a picture of another size, bilinear, clamped

@@ -22,7 +22,7 @@ std::vector<ScreenPass> screenPasses(const trace::Trace& trace) {
   std::vector<ScreenPass> all;
   if (trace.frames.empty()) return all;
   for (const trace::PassRecord& pass : trace.passesOf(0)) {
-    if (pass.draws == 0 || drewObjects(pass)) continue;
+    if (pass.draws == 0 || trace.drewObjects(pass)) continue;
     for (std::uint32_t a = 0; a < trace::kColors; ++a) {
       if (pass.images[a].kind != std::uint32_t(trace::ImageKind::texture)) continue;
       if (const trace::CopyRecord* copy = trace.copyOf(trace.indexOf(pass), a))
@@ -35,7 +35,7 @@ std::vector<ScreenPass> screenPasses(const trace::Trace& trace) {
 
 void findScene(const trace::Trace& trace, Pyramid& pyramid) {
   for (const Drawn& drawn : sampledLater(trace)) {
-    if (drawn.attachment >= trace::kColors || !drewObjects(*drawn.pass)) continue;
+    if (drawn.attachment >= trace::kColors || !drawn.ofObjects) continue;
     pyramid.scene = firstChannels(trace.image(*drawn.copy), 3);
     pyramid.sceneFormat = drawn.format; // the last one: a reflection is drawn before the scene
     pyramid.sceneOutput = {drawn.copy->pass, drawn.attachment};

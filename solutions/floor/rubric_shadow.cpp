@@ -121,7 +121,7 @@ const LightPoints& lightPoints(const View& view) {
   if (!fresh) return points;
   const trace::Trace& trace = view.scene.referenceTrace;
   for (const Drawn& drawn : sampledLater(trace)) {
-    if (drawn.attachment != trace::kDepth || !drewObjects(*drawn.pass)) continue;
+    if (drawn.attachment != trace::kDepth || !drawn.ofObjects) continue;
     glm::dmat4 projection(1), lightView(1);
     for (const trace::MatrixRecord& record : trace.matricesOf(trace.stepsOf(*drawn.pass)[0])) {
       const std::string name = record.name;
@@ -246,7 +246,7 @@ const MapVerdict& bestMap(const View& view) {
   const LightPoints& points = lightPoints(view);
   int maps = 0;
   for (const Drawn& drawn : sampledLater(view.trace)) {
-    if (drawn.attachment != trace::kDepth || !drewObjects(*drawn.pass)) continue;
+    if (drawn.attachment != trace::kDepth || !drawn.ofObjects) continue;
     if (++maps > kMostMaps) break;
     best.found = true;
     const Image map = view.trace.image(*drawn.copy);
@@ -321,7 +321,7 @@ GGRADE_ITEM("shadow.map", [](const View& view) -> Verdict {
 /// The light's depth map; null if no pass draws objects into one that a later pass samples.
 const Drawn* lightMap(const std::vector<Drawn>& all) {
   for (const Drawn& drawn : all)
-    if (drawn.attachment == trace::kDepth && drewObjects(*drawn.pass)) return &drawn;
+    if (drawn.attachment == trace::kDepth && drawn.ofObjects) return &drawn;
   return nullptr;
 }
 

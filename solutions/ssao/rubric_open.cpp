@@ -58,7 +58,7 @@ std::vector<Opening> openings(const View& view) {
   std::vector<Opening> all;
   const Image& window = view.scene.reference.at(0);
   for (const Drawn& drawn : sampledLater(view.trace)) {
-    if (drawn.attachment >= trace::kColors || drewObjects(*drawn.pass)) continue;
+    if (drawn.attachment >= trace::kColors || drawn.ofObjects) continue;
     if (all.size() == kMostOpenings) break;
     const Image values = view.trace.image(*drawn.copy);
     Opening opening{drawn, Image(window.width(), window.height(), 1)};

@@ -80,7 +80,7 @@ Image window(const channel::Capture& capture, std::size_t frame = 0) {
 Image drawnTexture(const channel::Capture& capture, bool last) {
   Image found;
   for (const floor_rubric::Drawn& drawn : floor_rubric::sampledLater(capture.trace)) {
-    if (drawn.attachment != 0 || !floor_rubric::drewObjects(*drawn.pass)) continue;
+    if (drawn.attachment != 0 || !drawn.ofObjects) continue;
     if (last || found.empty()) found = firstChannels(capture.trace.image(*drawn.copy), 3);
   }
   EXPECT_FALSE(found.empty());

@@ -8,6 +8,8 @@ using results::Outcome;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
 
 namespace {
 
@@ -51,6 +53,16 @@ TEST(DiagnosisOutcome, NothingReachesTheWindow) {
   EXPECT_FALSE(outcomeDiagnosis(ended(Outcome::graded), {{{5, 0}, {0, 3}}, {}}));
   EXPECT_FALSE(outcomeDiagnosis(ended(Outcome::graded), {{{5, 3}, {5, 3}}, {}}));
   EXPECT_FALSE(outcomeDiagnosis(ended(Outcome::graded), {}));
+}
+
+TEST(DiagnosisOutcome, WhatAProgramThrowsIsNoWildPointer) {
+  const auto crashed = outcomeDiagnosis(ended(Outcome::crash), {{}, {}, false});
+  ASSERT_TRUE(crashed);
+  EXPECT_THAT(crashed->text, HasSubstr("a pointer"));
+  const auto thrown = outcomeDiagnosis(ended(Outcome::crash), {{}, {}, true});
+  ASSERT_TRUE(thrown);
+  EXPECT_THAT(thrown->text, StartsWith("The program ends itself"));
+  EXPECT_THAT(thrown->text, Not(HasSubstr("pointer")));
 }
 
 TEST(DiagnosisOutcome, AnIncompleteFramebufferIsNamed) {

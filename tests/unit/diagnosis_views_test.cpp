@@ -57,7 +57,9 @@ TEST(DiagnosisViews, APassIsFoundByWhatItIs) {
   ASSERT_EQ(mesh.windows.size(), 1u);
   ASSERT_EQ(mesh.passes.size(), 1u);
   EXPECT_TRUE(mesh.find({false, true, 0, 0}));
-  trace.passes[0].vertices = 6;
+  // However many quads, they are no mesh.
+  trace.steps[0].draws = 7;
+  trace.steps[0].vertices = trace.passes[0].vertices = 42;
   const SceneViews quad = views(frames, trace);
   ASSERT_EQ(quad.passes.size(), 1u);
   EXPECT_TRUE(quad.find({false, false, 1, 0})); // 2 pixels of the window's 4

@@ -46,9 +46,11 @@ ItemDeclaration item(results::ItemKind kind, std::vector<std::string> scenes = {
   return declared;
 }
 
+/// Beside an item that is gained in scenes "lecture".
 Decision decided(const ItemDeclaration& declared, std::vector<SceneEvidence> scenes,
                  const Judge& judge = kReads) {
-  return decide(declared, judge, {{}, "mirror", std::move(scenes)});
+  return decide(declared, {item(results::ItemKind::gain), declared}, judge,
+                {{}, "mirror", std::move(scenes)});
 }
 
 TEST(Rubric, TheWorstSceneCounts) {
@@ -98,6 +100,22 @@ TEST(Rubric, AMissingFrameHasNoCredit) {
   // What never came harmed nothing.
   EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep), {cut}).credit, 1);
   EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep), {cut, scene("b", 0.5f, 0)}).credit, 0.5);
+}
+
+TEST(Rubric, AMissingFrameIsLostOnce) {
+  SceneEvidence cut = scene("dim", 1, 1, {"dim"});
+  cut.frameCount = 2;
+  // Nobody else loses it.
+  const ItemDeclaration keep = item(results::ItemKind::keep, {"lecture", "dim"});
+  const Decision alone = decided(keep, {scene("a", 1, 0), cut});
+  EXPECT_DOUBLE_EQ(alone.credit, 0);
+  EXPECT_EQ(alone.message, "dim: 1 of 2 frames came");
+  // In the scene that it is a change of it is lost already, if that one never came either.
+  SceneEvidence base = scene("a", 1, 0);
+  cut.like = base.name;
+  EXPECT_DOUBLE_EQ(decided(keep, {base, cut}).credit, 0);
+  base.frameCount = 2;
+  EXPECT_DOUBLE_EQ(decided(keep, {base, cut}).credit, 1);
 }
 
 TEST(Rubric, AWindowOfAnotherSizeHasNoCredit) {

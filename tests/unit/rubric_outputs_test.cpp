@@ -136,7 +136,7 @@ TEST(FirstFrames, ThatCannotShowAnItemAreNoFault) {
     return Verdict{&view.frames == &view.scene.student ? 0.5 : 1.0, "as seen"};
   };
   const Decision decision =
-      decide(kItems[1], full, {{}, "mirror", {scene("a", "lecture")}, {"outputs.second"}});
+      decide(kItems[1], kItems, full, {{}, "mirror", {scene("a", "lecture")}, {"outputs.second"}});
   EXPECT_EQ(decision.credit, 0);
   EXPECT_TRUE(decision.credits.empty());
 }
@@ -148,7 +148,7 @@ TEST(Messages, StandBesideTheCredits) {
     return Verdict{&view.frames == &view.scene.student ? 0.5 : 0.0, "half"};
   };
   const Decision decision =
-      decide(kItems[1], half, {{}, "mirror", {scene("a", "lecture"), late}, {}});
+      decide(kItems[1], kItems, half, {{}, "mirror", {scene("a", "lecture"), late}, {}});
   EXPECT_THAT(decision.messages, ElementsAre("half", "0 of 1 frames came"));
   EXPECT_EQ(lineOf(kItems[1], decision)["credits"],
             json::parse(R"([["a", 0.5, "half"], ["b", 0.0, "0 of 1 frames came"]])"));

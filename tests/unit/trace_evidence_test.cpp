@@ -51,7 +51,7 @@ TEST_F(TraceEvidence, ReachesTheJudge) {
   item.scenes = {"lecture"};
   std::vector<std::uint32_t> draws;
   const Decision decision = decide(
-      item,
+      item, {item},
       [&](const View& view) {
         const trace::PassRecord& pass = view.trace.passesOf(0)[0];
         draws.push_back(pass.draws);

@@ -94,6 +94,7 @@ inline Trace mirror() {
   step.program = 5;
   step.mode = GL_TRIANGLES;
   step.draws = 1;
+  step.vertices = 36;
   step.cullFace = GL_FRONT;
   step.frontFace = GL_CCW;
   step.depthTest = GL_LESS;
