@@ -21,7 +21,7 @@ inline constexpr auto kChosen = std::to_array<std::string_view>({
     "mirror_light_and_normal", "mirror_texture_not_bound",
     "shadow_depth_32f", "shadow_floor_in_map", "shadow_manual_comparison", "shadow_map_2048",
     "shadow_map_512", "shadow_wide_frustum",
-    "shadow_normal_inwards", "shadow_outside_dark", "shadow_pcf_lopsided",
+    "shadow_normal_inwards", "shadow_outside_dark", "shadow_pcf_lopsided", "shadow_typed_in_size",
     "bloom_clamped", "bloom_depth_texture", "bloom_filter_13", "bloom_filter_5x5",
     "bloom_filter_dual", "bloom_one_framebuffer", "bloom_quad_strip", "bloom_rgba32f",
     "bloom_weight_at_the_end",

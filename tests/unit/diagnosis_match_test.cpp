@@ -73,6 +73,11 @@ TEST(DiagnosisMatch, FaultsThatShowTheSameAreNamedTogether) {
   EXPECT_EQ(found->signature, 1u);
   EXPECT_THAT(found->alike, ElementsAre(2u));
   EXPECT_LT(found->next, 0.2);
+  EXPECT_NEAR(found->confidence, 0.5, 0.05) << "it is one of two";
+  // Two names of one fault are one.
+  KnownFaults known = faults();
+  known.signatures[1].group = known.signatures[2].group = "box";
+  EXPECT_GT(known.identify(fault(0.5f, 0.1f, 0.9f, 0.4f, 1))->confidence, 0.9);
 }
 
 TEST(DiagnosisMatch, AnUnknownFaultIsUnknown) {

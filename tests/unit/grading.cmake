@@ -7,6 +7,7 @@ ggrade_test(grading_unit_test unit
     ${CMAKE_CURRENT_LIST_DIR}/grading_catalogue_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/grading_catalogues_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/grading_parts_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/grading_diagnose_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/grading_rubric_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/grading_scenes_test.cpp
   LIBRARIES ggrade_grading ggrade_authoring)

@@ -113,8 +113,7 @@ private:
     const results::Result& result = graded.result;
     const std::uint64_t seed = grader.plan().seed;
     if (const auto observed = diagnosis::outcomeDiagnosis(result, graded.facts);
-        observed &&
-        (!report::scored(result.outcome) || result.outcome == results::Outcome::graded)) {
+        observed && observed->id != results::name(results::Outcome::glError)) {
       for (const bool leftOut : {false, true})
         add({made.mistake->name, made.variant, seed, leftOut, observed->id, 1, Answered::right});
       return;
