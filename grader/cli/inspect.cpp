@@ -132,7 +132,7 @@ void addInspect(CLI::App& app) {
   command->add_option("ID", options->id, say("Assignment or part (see ggrade list)"))->required();
   command->add_option(
       "DIR", options->folder,
-      say("A folder of files instead of the assignment's own; runs in the sandbox"));
+      say("A folder of files that go over the assignment's own; runs in the sandbox"));
   command->add_option("--out", options->out, say("The page's file (default out/inspect-ID.html)"));
   command->add_option("--scene", options->scene,
                       say("Another scene than the assignment's scene.json"));

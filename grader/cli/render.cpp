@@ -26,7 +26,7 @@ using nlohmann::json;
 namespace {
 
 struct RenderOptions {
-  std::string target, out, scene, size;
+  std::string target, folder, out, scene, size;
   std::vector<double> times = {0};
   bool solution = false, json = false;
   bool passes = false, steps = false, passTimes = false, raw = false;
@@ -125,11 +125,13 @@ void render(const RenderOptions& options) {
   if (afterDashes.empty() == options.target.empty())
     throw UsageError(say("name either an assignment or folder, or a program after --; see ggrade "
                          "render --help"));
+  if (options.solution && !options.folder.empty())
+    throw UsageError(say("name either a folder or --solution"));
   const Size size = parseSize(options.size);
   if (!afterDashes.empty()) afterDashes[0] = findProgram(afterDashes[0]);
   const grading::Rendering rendering =
       afterDashes.empty() ? renderTarget({options.target, options.scene, size, options.times,
-                                          options.solution, requested(options)},
+                                          options.solution, requested(options), options.folder},
                                          progress)
                           : grading::renderProgram(afterDashes, options.times, size.width,
                                                    size.height, requested(options));
@@ -180,6 +182,9 @@ void addRender(CLI::App& app) {
   command->add_option(
       "TARGET", options->target,
       say("An assignment or part (its files in assignments/), or a folder of files"));
+  command->add_option(
+      "DIR", options->folder,
+      say("A folder of files that go over the assignment's own; runs in the sandbox"));
   command->add_option("--out", options->out, say("Where frame-N.png and trace.json go"))
       ->required();
   command->add_option("--scene", options->scene,

@@ -2,12 +2,14 @@
 
 #include "assignment/assignment.hpp"
 #include "cli/commands.hpp"
+#include "grading/overlay.hpp"
 #include "grading/scenes.hpp"
 #include "grading/store.hpp"
 #include "words/words.hpp"
 
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace ggrade::cli {
 
@@ -25,8 +27,8 @@ Target targetOf(const std::string& named) {
   for (Assignment& assignment : loadAssignments(assignmentsFolder()))
     if (fs::exists(folder / (assignment.id + ".cpp")))
       return findTarget(assignmentsFolder(), assignment.id);
-  throw UsageError(say("{} holds no assignment's program; an assignment is rendered from ID.cpp "
-                       "(see ggrade list)",
+  throw UsageError(say("{0} holds no assignment's program, ID.cpp. To take what it lacks from the "
+                       "handed-out files, name the assignment or part before it: mirror {0}",
                        named));
 }
 
@@ -61,7 +63,11 @@ grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {
   const bool upload = fs::is_directory(folder);
   if (!what.folder.empty() && !upload)
     throw UsageError(say("{} is not a folder of files", what.folder));
-  const fs::path sources = upload          ? folder
+  // With an ID the folder may hold what was changed alone, as for `check`.
+  std::optional<grading::TemporaryFolder> whole;
+  if (!what.folder.empty()) grading::overlay(target.assignment, folder, whole.emplace().path());
+  const fs::path sources = whole           ? whole->path()
+                           : upload        ? folder
                            : what.solution ? solutionFolder(id)
                                            : target.assignment.folder;
   const Isolation isolation = upload ? Isolation::bwrap : Isolation::none;

@@ -29,7 +29,7 @@ struct RenderTarget {
   std::vector<double> times = {0};
   bool solution = false;     ///< an ID stands for the reference
   trace::Request trace = {}; ///< what to record of the passes
-  std::string folder = {};   ///< with an ID: these files instead of the assignment's own
+  std::string folder = {};   ///< with an ID: these files over the assignment's own
 };
 
 /// Builds the target and renders its frames. A folder may be a stranger's: it is built and run in

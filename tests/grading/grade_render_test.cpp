@@ -65,6 +65,21 @@ TEST_F(Render, TargetsOfEveryKindAgree) {
   EXPECT_TRUE(frames({Submission::stub().path(), "--size", "160x120"}) == stub);
 }
 
+TEST_F(Render, AFolderOfWhatWasChangedGoesOverTheHandedOutFiles) {
+  const TemporaryFolder changed;
+  changed.write("tile.frag", "#version 410 core\nout vec4 oColor;\n"
+                             "void main() { oColor = vec4(0, 1, 0, 1); }\n");
+  const auto stub = frames({"mirror", "--size", "160x120"});
+  EXPECT_FALSE(frames({"mirror", changed.path(), "--size", "160x120"}) == stub);
+  const Ended alone = runTool({"render", changed.path(), "--out", out_});
+  EXPECT_EQ(alone.exitCode, 2);
+  EXPECT_THAT(alone.errors, HasSubstr("name the assignment or part before it: mirror " +
+                                      changed.path().string()));
+  const Ended both = runTool({"render", "mirror", changed.path(), "--solution", "--out", out_});
+  EXPECT_EQ(both.exitCode, 2);
+  EXPECT_THAT(both.errors, HasSubstr("name either a folder or --solution"));
+}
+
 TEST_F(Render, TraceSaysWhatWasDrawn) {
   ASSERT_EQ(frames({"mirror", "--solution", "--size", "160x120", "--times", "0.5,0,2.25"}).size(),
             3u);
