@@ -74,6 +74,36 @@ Image withSky(const SceneEvidence& scene, const Image& plain) {
   return image;
 }
 
+/// Of the floor away from reflections, what must fit a brightness for it to be the floor's.
+constexpr double kOfOneBrightness = 0.8;
+
+/// The floor without reflected objects, as dark or bright as the frame shows it where none are:
+/// factor * plain + offset, least squares by channel. Brightness is other items' business. Empty if
+/// no such floor is shown there.
+Image floorOfItsOwn(const Regions& regions, const Image& plain, const Image& image) {
+  Image own = plain;
+  for (int c = 0; c < 3; ++c) {
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (int v = 0; v < image.height(); ++v)
+      for (int u = 0; u < image.width(); ++u) {
+        const double bare = double(plain.at(u, v, c)), seen = double(image.at(u, v, c));
+        if (!regions.away.at(u, v) || !regions.floor.at(u, v) || seen > 0.99) continue; // cut off
+        n += 1, x += bare, y += seen, xx += bare * bare, xy += bare * seen;
+      }
+    const double spread = n * xx - x * x;
+    if (n < 1 || spread < 1e-6 * n * n) return {};
+    const double factor = (n * xy - x * y) / spread, offset = (y - factor * x) / n;
+    if (factor < 0.1) return {}; // one colour
+    for (int v = 0; v < own.height(); ++v)
+      for (int u = 0; u < own.width(); ++u)
+        own.at(u, v, c) = float(std::clamp(factor * double(plain.at(u, v, c)) + offset, 0.0, 1.0));
+  }
+  const Mask floor = regions.away & regions.floor;
+  const Mask unlike = differenceMask(image, own, 2 * tolerances().tolerance) & floor;
+  if (double(unlike.count()) > (1 - kOfOneBrightness) * double(floor.count())) return {};
+  return own;
+}
+
 /// Where on the floor a frame shows reflected objects: it looks neither like the bare floor nor
 /// like the floor that reflects the background.
 Mask reflectedObjects(const Regions& regions, const Image& plain, const Image& image) {
@@ -108,6 +138,15 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
   return regions;
 }
 
+/// The same of a submission's frame, whose floor may have another brightness.
+Mask reflectedIn(const View& view, std::size_t frame) {
+  const Regions& regions = regionsOf(view.scene, frame);
+  const Image &plain = view.scene.probes.at("plain").at(frame), &image = view.frames.at(frame);
+  const Mask found = reflectedObjects(regions, plain, image);
+  const Image own = floorOfItsOwn(regions, plain, image);
+  return own.empty() ? found : found & differenceMask(image, own, 2 * tolerances().tolerance);
+}
+
 struct Coverage {
   double quality = 0;
   Agreement pixels;
@@ -120,9 +159,7 @@ const Coverage& coverage(const View& view, std::size_t frame) {
   Coverage& result = entry->second;
   if (!fresh) return result;
   const Regions& regions = regionsOf(view.scene, frame);
-  result.pixels = agreement(
-      regions.covered,
-      reflectedObjects(regions, view.scene.probes.at("plain").at(frame), view.frames.at(frame)), 1);
+  result.pixels = agreement(regions.covered, reflectedIn(view, frame), 1);
   result.quality = qualityOf(result.pixels.wrongShare());
   return result;
 }
@@ -431,8 +468,7 @@ GGRADE_ITEM("mirror.keep_state", [](const View& view) {
 GGRADE_ITEM("mirror.keep_following", [](const View& view) {
   const Effect reflections = [](const View& of, std::size_t frame) {
     if (&of.frames == &of.scene.reference) return regionsOf(of.scene, frame).covered;
-    return reflectedObjects(regionsOf(of.scene, frame), of.scene.probes.at("plain").at(frame),
-                            of.frames.at(frame));
+    return reflectedIn(of, frame);
   };
   return follows(view, reflections, gg::say("reflection"));
 });

@@ -63,6 +63,15 @@ TEST(Fault, FramebufferLeftBoundIsNamed) {
   EXPECT_THAT(graded.detail(), HasSubstr("framebuffer object"));
 }
 
+TEST(Fault, AFloorThatReflectsLessHasItsReflectionsWhereTheyMustBe) {
+  Submission less = Submission::solution();
+  less.replace("tile.frag", "uMaterial.specular.rgb * reflected",
+               "0.7 * uMaterial.specular.rgb * reflected");
+  const Graded graded = grade(std::move(less));
+  EXPECT_GE(graded.earned("mirror.where"), 18);
+  EXPECT_LT(graded.earned("mirror.shading"), 10) << "the colours are others";
+}
+
 TEST(Fault, NothingClips) {
   // All but the step that is beyond the lecture.
   const Graded graded = gradeMistake("mirror_no_clip");
