@@ -27,9 +27,10 @@ Target targetOf(const std::string& named) {
   for (Assignment& assignment : loadAssignments(assignmentsFolder()))
     if (fs::exists(folder / (assignment.id + ".cpp")))
       return findTarget(assignmentsFolder(), assignment.id);
-  throw UsageError(say("{0} holds no assignment's program, ID.cpp. To take what it lacks from the "
-                       "handed-out files, name the assignment or part before it: mirror {0}",
-                       named));
+  throw UsageError(
+      say("{0} holds no assignment's program, ID.cpp. To take what it lacks from the "
+          "handed-out files, name the assignment or part before it (see ggrade list): mirror {0}",
+          named));
 }
 
 } // namespace

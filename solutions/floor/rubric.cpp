@@ -76,11 +76,18 @@ Image withSky(const SceneEvidence& scene, const Image& plain) {
 
 /// Of the floor away from reflections, what must fit a brightness for it to be the floor's.
 constexpr double kOfOneBrightness = 0.8;
+/// What a reflection must have of the reference's contrast to be told from the floor's own shades.
+constexpr double kLeastContrast = 0.3;
+
+/// A floor in which no objects are reflected.
+struct BareFloor {
+  Image picture;      ///< empty: no such floor is shown
+  float contrast = 1; ///< of its reflection, as a share of the reference's, at most 1
+};
 
 /// The floor without reflected objects, as dark or bright as the frame shows it where none are:
-/// factor * plain + offset, least squares by channel. Brightness is other items' business. Empty if
-/// no such floor is shown there.
-Image floorOfItsOwn(const Regions& regions, const Image& plain, const Image& image) {
+/// factor * plain + offset, least squares by channel. Brightness is other items' business.
+BareFloor floorOfItsOwn(const Regions& regions, const Image& plain, const Image& image) {
   Image own = plain;
   for (int c = 0; c < 3; ++c) {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
@@ -99,16 +106,31 @@ Image floorOfItsOwn(const Regions& regions, const Image& plain, const Image& ima
         own.at(u, v, c) = float(std::clamp(factor * double(plain.at(u, v, c)) + offset, 0.0, 1.0));
   }
   const Mask floor = regions.away & regions.floor;
-  const Mask unlike = differenceMask(image, own, 2 * tolerances().tolerance) & floor;
+  double added = 0, wanted = 0;
+  for (int v = 0; v < own.height(); ++v)
+    for (int u = 0; u < own.width(); ++u)
+      if (floor.at(u, v))
+        for (int c = 0; c < 3; ++c) {
+          added += double(own.at(u, v, c) - plain.at(u, v, c));
+          wanted += double(regions.sky.at(u, v, c) - plain.at(u, v, c));
+        }
+  // A black background adds nothing to tell it by.
+  const float contrast = wanted > 0.003 * double(floor.count())
+                             ? float(std::clamp(added / wanted, kLeastContrast, 1.0))
+                             : 1.0f;
+  const Mask unlike = differenceMask(image, own, contrast * 2 * tolerances().tolerance) & floor;
   if (double(unlike.count()) > (1 - kOfOneBrightness) * double(floor.count())) return {};
-  return own;
+  return {own, contrast};
 }
 
 /// Where on the floor a frame shows reflected objects: it looks neither like the bare floor nor
 /// like the floor that reflects the background.
-Mask reflectedObjects(const Regions& regions, const Image& plain, const Image& image) {
-  return differenceMask(image, plain, 2 * tolerances().tolerance) &
-         differenceMask(image, regions.sky, 2 * tolerances().tolerance) & regions.floor;
+///   contrast: a share of the tolerated difference
+Mask reflectedObjects(const Regions& regions, const Image& plain, const Image& image,
+                      float contrast = 1) {
+  const float tolerated = contrast * 2 * tolerances().tolerance;
+  return differenceMask(image, plain, tolerated) & differenceMask(image, regions.sky, tolerated) &
+         regions.floor;
 }
 
 const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
@@ -142,9 +164,10 @@ const Regions& regionsOf(const SceneEvidence& scene, std::size_t frame) {
 Mask reflectedIn(const View& view, std::size_t frame) {
   const Regions& regions = regionsOf(view.scene, frame);
   const Image &plain = view.scene.probes.at("plain").at(frame), &image = view.frames.at(frame);
-  const Mask found = reflectedObjects(regions, plain, image);
-  const Image own = floorOfItsOwn(regions, plain, image);
-  return own.empty() ? found : found & differenceMask(image, own, 2 * tolerances().tolerance);
+  const BareFloor own = floorOfItsOwn(regions, plain, image);
+  if (own.picture.empty()) return reflectedObjects(regions, plain, image);
+  return reflectedObjects(regions, plain, image, own.contrast) &
+         differenceMask(image, own.picture, own.contrast * 2 * tolerances().tolerance);
 }
 
 struct Coverage {

@@ -73,8 +73,9 @@ TEST_F(Render, AFolderOfWhatWasChangedGoesOverTheHandedOutFiles) {
   EXPECT_FALSE(frames({"mirror", changed.path(), "--size", "160x120"}) == stub);
   const Ended alone = runTool({"render", changed.path(), "--out", out_});
   EXPECT_EQ(alone.exitCode, 2);
-  EXPECT_THAT(alone.errors, HasSubstr("name the assignment or part before it: mirror " +
-                                      changed.path().string()));
+  EXPECT_THAT(alone.errors,
+              HasSubstr("name the assignment or part before it (see ggrade list): mirror " +
+                        changed.path().string()));
   const Ended both = runTool({"render", "mirror", changed.path(), "--solution", "--out", out_});
   EXPECT_EQ(both.exitCode, 2);
   EXPECT_THAT(both.errors, HasSubstr("name either a folder or --solution"));
