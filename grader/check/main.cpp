@@ -377,7 +377,8 @@ int run(int argc, char** argv) {
   app.add_option("--edit-cmd", options.editor,
                  say("Another editor; {{file}} and {{line}} are put in, and the shell runs it"))
       ->needs(open);
-  app.add_option("--folder", options.folder, say("Other files than those in assignments/ID; what it lacks comes from there"));
+  app.add_option("--folder", options.folder,
+                 say("Other files than those in assignments/ID; what it lacks comes from there"));
   app.add_option("--out", options.out, say("The page's file (default out/check-ID.html)"));
   app.add_option("--lang", options.language, say("en or ja (default: by GG_LANG, else LANG)"))
       ->check(CLI::IsMember({"en", "ja"}));

@@ -51,9 +51,7 @@ Image between(Image image, const Image& range) {
 }
 
 json figure(const std::string& caption, const Image& image) {
-  return {{"caption", sanitizeLine(caption)},
-          {"uri", uriOf(image)},
-          {"none", words("not found")}};
+  return {{"caption", sanitizeLine(caption)}, {"uri", uriOf(image)}, {"none", words("not found")}};
 }
 
 /// Of what is done; nothing where that says no more than the row.

@@ -101,8 +101,6 @@ void inspect(const InspectOptions& options) {
   const fs::path out = options.out.empty() ? "out/inspect-" + options.id + ".html" : options.out;
   if (fs::is_directory(out))
     throw UsageError(say("{} is a folder: --out names the page's file", out.string()));
-  if (options.solution && !options.folder.empty())
-    throw UsageError(say("name either a folder or --solution"));
 
   Progress progress("inspect");
   grading::Rendering rendering = rendered(options, progress);

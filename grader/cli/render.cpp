@@ -125,8 +125,6 @@ void render(const RenderOptions& options) {
   if (afterDashes.empty() == options.target.empty())
     throw UsageError(say("name either an assignment or folder, or a program after --; see ggrade "
                          "render --help"));
-  if (options.solution && !options.folder.empty())
-    throw UsageError(say("name either a folder or --solution"));
   const Size size = parseSize(options.size);
   if (!afterDashes.empty()) afterDashes[0] = findProgram(afterDashes[0]);
   const grading::Rendering rendering =

@@ -57,6 +57,8 @@ void checkTimes(const std::vector<double>& times, const std::string& option) {
 }
 
 grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {
+  if (what.solution && !what.folder.empty())
+    throw UsageError(say("name either a folder or --solution"));
   const Target target =
       what.folder.empty() ? targetOf(what.target) : findTarget(assignmentsFolder(), what.target);
   const std::string& id = target.assignment.id;
