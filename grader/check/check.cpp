@@ -82,6 +82,7 @@ private:
       suspect = expected_.scenes[first->scene].another ? suspectInAnother(*first)
                                                        : suspectInHandedOut(*first);
     checked_.rows = rows(expected_, drawn_.shown, drawn_.begun, suspect);
+    checked_.likely = suspect.todo;
     blameStorage();
     if (isTogether(expected_)) settleTogether(suspect.isExplained);
     // A call that fails does nothing, whether that is seen already or not.

@@ -26,6 +26,7 @@ struct Checked {
   bool drawn = false;                ///< did frames come, so that the rows are judged?
   std::vector<std::string> messages; ///< what the program and OpenGL said, a line each
   std::vector<Row> rows;             ///< no row is `done` or `wrong` if nothing was drawn
+  std::string likely; ///< the TODO in whose place the fault most likely is; may be empty
   std::optional<Wrong>
       firstWrong;    ///< the first wrong picture of a frame, against what should be there now
   std::string cause; ///< the likeliest one, in words; empty: none is known

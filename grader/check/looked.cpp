@@ -38,6 +38,16 @@ bool isBegunAfter(const Checked& checked, const Row& row) {
   });
 }
 
+/// Those that may be wrong, else those that are nearly right, in the order of the steps.
+std::vector<const Row*> inDoubt(const Checked& checked) {
+  std::vector<const Row*> rows;
+  for (const State state : {State::maybe, State::nearly})
+    for (const Row& row : checked.rows)
+      if (row.state == state && (rows.empty() || rows.front()->state == state))
+        rows.push_back(&row);
+  return rows;
+}
+
 } // namespace
 
 const Row* rowToLookAt(const Checked& checked) {
@@ -47,10 +57,12 @@ const Row* rowToLookAt(const Checked& checked) {
     return row == checked.rows.end() ? nullptr : &*row;
   };
   if (const Row* row = first(State::wrong)) return row;
-  // Of those that may be, the one that was written last: whoever looks often has seen the others.
-  for (const State state : {State::maybe, State::nearly})
-    for (auto row = checked.rows.rbegin(); row != checked.rows.rend(); ++row)
-      if (row->state == state) return &*row;
+  // Else, of those that may be, the one that was written last: whoever looks often has seen the
+  // others.
+  if (const auto rows = inDoubt(checked); !rows.empty()) {
+    const auto likely = std::ranges::find(rows, checked.likely, &Row::todo);
+    return likely == rows.end() ? rows.back() : *likely;
+  }
   if (const Row* row = first(State::differs)) return row;
   const auto next =
       std::ranges::find_if(checked.rows, [](const Row& row) { return row.state != State::done; });
@@ -183,8 +195,16 @@ std::string stepToRead(const Looked& looked, bool isLast) {
                   : std::string();
   const Todo& todo = todoOf(*looked.part, row->todo);
   if (isTogether(*looked.expected)) return fmt::format("{}: {}", looked.handout, words(todo.title));
-  return say("{}, step {}: {}", looked.handout, &todo - looked.part->todos.data() + 1,
-             words(todo.title));
+  const auto numberOf = [&](const std::string& id) {
+    return &todoOf(*looked.part, id) - looked.part->todos.data() + 1;
+  };
+  const auto rows = inDoubt(looked.checked);
+  const bool isOneOfMany = rows.size() > 1 && std::ranges::find(rows, row) != rows.end();
+  if (!isOneOfMany || row->todo == looked.checked.likely)
+    return say("{}, step {}: {}", looked.handout, numberOf(row->todo), words(todo.title));
+  std::vector<std::ptrdiff_t> numbers;
+  for (const Row* each : rows) numbers.push_back(numberOf(each->todo));
+  return say("{}, one of the steps {}", looked.handout, fmt::join(numbers, ", "));
 }
 
 std::vector<Problem> todoProblems(const Looked& looked) {

@@ -19,8 +19,8 @@ struct Looked {
   bool canAsk = false;        ///< is this the part of which asking tells more?
 };
 
-/// The TODO to look at now: the wrong one, else the last that may be, else the first that isn't
-/// done; none where nothing was drawn or all is done.
+/// The TODO to look at now: the wrong one, else of those that may be the likely one or the last,
+/// else the first that isn't done; none where nothing was drawn or all is done.
 const Row* rowToLookAt(const Checked& checked);
 
 /// Are there rows that are wrong?
@@ -53,8 +53,9 @@ std::string pictureOf(const Looked& looked);
 /// What a person has to know of a run that showed nothing, or not all.
 std::string outcomeOf(const Checked& checked);
 
-/// The file and the heading of the handout's step to read now: that of `rowToLookAt`; what to do
-/// when all is done, of the last part that was looked at; else empty.
+/// The file and the heading of the handout's step to read now: that of `rowToLookAt`, or the
+/// numbers of several that are as likely; what to do when all is done, of the last part that was
+/// looked at; else empty.
 std::string stepToRead(const Looked& looked, bool isLast);
 
 /// The places of `rowToLookAt`, as an editor lists them; the first one says what it is.

@@ -155,6 +155,20 @@ TEST(CheckHints, TheFirstThatIsNotDoneIsNextWhateverWaitsForIt) {
   EXPECT_EQ(rowToLookAt(checked), nullptr);
 }
 
+TEST(CheckHints, OfSeveralInDoubtTheLikelyOneIsReadElseAll) {
+  Checked checked = found(State::maybe, "", "");
+  checked.rows[0].state = State::maybe;
+  EXPECT_THAT(Seen(checked).at(Level::where),
+              HasSubstr("\nRead again: assignments/m/README.md, one of the steps 1, 2\n"));
+  EXPECT_EQ(rowToLookAt(checked)->todo, "m.2") << "the one that was written last";
+  checked.likely = "m.1";
+  EXPECT_EQ(rowToLookAt(checked)->todo, "m.1");
+  EXPECT_THAT(Seen(checked).at(Level::where),
+              HasSubstr("\nRead again: assignments/m/README.md, step 1: "));
+  checked.rows[1].state = State::wrong;
+  EXPECT_EQ(rowToLookAt(checked)->todo, "m.2") << "one is known to be wrong";
+}
+
 TEST(CheckHints, JapaneseToo) {
   const InJapanese japanese;
   Seen seen(lightWrong());
