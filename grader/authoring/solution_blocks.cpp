@@ -10,19 +10,15 @@ namespace ggrade::authoring {
 
 namespace {
 
-struct Line {
-  std::string text;  // without the line's end
-  std::string block; // TODO that it belongs to; empty outside blocks
-  bool marker = false;
-};
-
 const std::regex& marker() {
   static const std::regex kMarker(R"(\s*//\s*(BEGIN|END) SOLUTION\(([a-z0-9_]+\.[0-9]+)\)\s*)");
   return kMarker;
 }
 
-std::vector<Line> parse(std::string_view text, const std::string& file) {
-  std::vector<Line> lines;
+} // namespace
+
+std::vector<BlockLine> blockLines(std::string_view text, const std::string& file) {
+  std::vector<BlockLine> lines;
   std::string open;
   std::size_t openedAt = 0;
   for (std::size_t start = 0; start < text.size();) {
@@ -56,8 +52,6 @@ std::vector<Line> parse(std::string_view text, const std::string& file) {
   return lines;
 }
 
-} // namespace
-
 bool isBlockMarker(const std::string& line) {
   return std::regex_match(line, marker());
 }
@@ -67,8 +61,8 @@ std::string withFilled(std::string_view text, const std::string& file,
   std::string out;
   bool removed = false; // was something taken out since the last line written?
   bool blank = true;    // was the last line written blank?
-  for (const Line& line : parse(text, file)) {
-    if (line.marker || (!line.block.empty() && !filled.count(line.block))) {
+  for (const BlockLine& line : blockLines(text, file)) {
+    if (line.marker || (!line.todo.empty() && !filled.count(line.todo))) {
       removed = true;
       continue;
     }
@@ -84,10 +78,10 @@ std::string withFilled(std::string_view text, const std::string& file,
 
 std::vector<std::string> blocks(std::string_view text, const std::string& file) {
   std::vector<std::string> found;
-  for (const Line& line : parse(text, file)) {
+  for (const BlockLine& line : blockLines(text, file)) {
     if (line.marker) {
       if (line.text.find("BEGIN") != line.text.npos) found.emplace_back();
-    } else if (!line.block.empty()) {
+    } else if (!line.todo.empty()) {
       found.back() += line.text + '\n';
     }
   }
@@ -96,8 +90,8 @@ std::vector<std::string> blocks(std::string_view text, const std::string& file) 
 
 std::map<std::string, std::string> blocksByTodo(std::string_view text, const std::string& file) {
   std::map<std::string, std::string> found;
-  for (const Line& line : parse(text, file))
-    if (!line.marker && !line.block.empty()) found[line.block] += line.text + '\n';
+  for (const BlockLine& line : blockLines(text, file))
+    if (!line.marker && !line.todo.empty()) found[line.todo] += line.text + '\n';
   return found;
 }
 

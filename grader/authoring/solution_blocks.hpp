@@ -13,6 +13,16 @@
 
 namespace ggrade::authoring {
 
+/// A line of a solution's file.
+struct BlockLine {
+  std::string text;    ///< without the line's end
+  std::string todo;    ///< in whose block it is; empty outside of blocks
+  bool marker = false; ///< does a block begin or end here?
+};
+
+/// All lines in their order. Throws like withFilled.
+std::vector<BlockLine> blockLines(std::string_view text, const std::string& file);
+
 /// Does a block begin or end in this line?
 bool isBlockMarker(const std::string& line);
 

@@ -9,10 +9,12 @@
 #include "calibration/trade.hpp"
 #include "calibration/verdicts.hpp"
 #include "cli/terminal.hpp"
+#include "generated/measure.hpp"
 #include "grading/grade.hpp"
 #include "report/write_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <iostream>
 
@@ -26,7 +28,8 @@ struct CalibrateOptions {
   std::string id, out, catalogue, adopt, as, name, quality = "balanced";
   std::vector<std::string> only;
   unsigned seeds = 10, jobs = grading::workers();
-  std::uint64_t firstSeed = 1;
+  std::size_t generated = 0;
+  std::uint64_t firstSeed = 1, seed = 1;
   bool haveFirstSeed = false, skipTrials = false, skipDiagnosis = false, json = false;
   bool diagnosisOnly = false, trade = false, drift = false;
 };
@@ -260,6 +263,56 @@ void trade(const CalibrateOptions& options) {
   std::cout << (out / "index.html").string() << '\n';
 }
 
+/// Scores and diagnoses of programs that nobody has written.
+void generate(const CalibrateOptions& options) {
+  const std::vector<Target> targets = partsOf(options.id);
+  const fs::path out = resultsFolder(options);
+  requireSandbox();
+  grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
+  std::vector<calibration::PagePart> pages;
+  std::string texts, failures;
+  nlohmann::json parts = nlohmann::json::array();
+  for (const Target& target : targets) {
+    const fs::path solutions = solutionFolder(target.assignment.id);
+    Progress progress("calibrating " + target.id);
+    generated::MeasureOptions how;
+    how.count = options.generated;
+    how.seed = options.seed;
+    how.quality = grading::parseQuality(options.quality);
+    how.jobs = options.jobs;
+    how.progress = std::ref(progress);
+    const auto figures = generated::measure(target, solutions, work.path(), how);
+    progress.clear();
+    nlohmann::json json = generated::toJson(figures);
+    json["part"] = target.id;
+    parts.push_back(std::move(json));
+    calibration::PagePart page{target.parts[0].title,
+                               {},
+                               {},
+                               {generated::sectionOf(figures, target)},
+                               "generated programs"};
+    page.verdicts.part = target.id;
+    texts += fmt::format("{}: {}\n\n", target.id, page.sections[0].text);
+    for (const auto& row : page.sections[0].rows)
+      texts += fmt::format("  {}\n", fmt::join(row, " | "));
+    failures += generated::failuresOf(figures);
+    pages.push_back(std::move(page));
+  }
+  const nlohmann::json all = {{"parts", parts}};
+  report::writeFile(work.path() / "generated.json", all.dump(1) + '\n');
+  report::writeFile(work.path() / "index.html",
+                    calibration::calibrationPage(pages, "generated.json"));
+  work.publish(out);
+  if (options.json)
+    std::cout << all.dump(2) << '\n';
+  else
+    std::cout << texts << '\n' << (out / "index.html").string() << '\n';
+  if (failures.empty()) return;
+  std::cout.flush();
+  fmt::print(stderr, "ggrade: this doesn't hold of generated programs:\n{}", failures);
+  exitCode = kNotGradable;
+}
+
 void measureDrift(const CalibrateOptions& options, unsigned seeds) {
   const fs::path out = resultsFolder(options);
   requireSandbox();
@@ -324,7 +377,20 @@ void addCalibrate(CLI::App& app) {
                  "Measure nothing but how far scores move where EGL draws, or another processor's "
                  "instructions (one seed, unless --seeds says more)")
       ->excludes(diagnosis);
-  command->add_flag("--json", options->json, "Print calibration.json (trade.json) on stdout");
+  auto* generated =
+      command
+          ->add_option("--generated", options->generated,
+                       "Measure nothing but so many wrong programs, each of one changed line, and "
+                       "as many right ones, written in other ways: drawn, not listed")
+          ->check(CLI::Range(1, 100000))
+          ->excludes(diagnosis);
+  command
+      ->add_option("--seed", options->seed, "What generated programs and their scenes are drawn by")
+      ->check(notAWholeNumber)
+      ->needs(generated)
+      ->capture_default_str();
+  command->add_flag("--json", options->json,
+                    "Print calibration.json (trade.json, generated.json) on stdout");
   auto* adopted = command->add_option("--adopt", options->adopt,
                                       "Take this submission into the catalogue, anonymously");
   command->add_option("--as", options->as, "What the submission is: variant or mistake")
@@ -344,12 +410,15 @@ void addCalibrate(CLI::App& app) {
       "  ggrade calibrate all\n"
       "  ggrade calibrate mirror --seeds 2 --only light_not_mirrored variant\n"
       "  ggrade calibrate mirror --drift\n"
+      "  ggrade calibrate mirror --generated 100 --seed 7\n"
       "  ggrade calibrate all --trade --seeds 1 --out out/trade\n"
       "  ggrade calibrate mirror --adopt uploads/disputed --as variant --name two_textures");
-  command->callback([options, first, seeds, adopted] {
+  command->callback([options, first, seeds, adopted, generated] {
     options->haveFirstSeed = first->count() > 0;
     if (adopted->count() > 0)
       adopt(*options);
+    else if (generated->count() > 0)
+      generate(*options);
     else if (options->trade)
       trade(*options);
     else if (options->drift)

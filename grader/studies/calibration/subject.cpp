@@ -121,23 +121,33 @@ Score scoreFrom(const json& from) {
   return score;
 }
 
-std::optional<Score> loadScore(const fs::path& file) {
+std::optional<json> loadKept(const fs::path& file) {
   std::ifstream in(file);
-  const json read = json::parse(in, nullptr, false);
-  try {
-    return scoreFrom(read);
-  } catch (const json::exception&) {
-    return std::nullopt;
-  }
+  json read = json::parse(in, nullptr, false);
+  if (!read.is_object()) return std::nullopt;
+  return read;
 }
 
-void saveScore(const fs::path& file, const Score& score) {
+void saveKept(const fs::path& file, const json& kept) {
   grading::TemporaryFolder work(file.parent_path());
   const fs::path whole = work.path() / "score.json";
   std::ofstream out(whole);
-  if (!(out << toJson(score).dump()) || !out.flush())
+  if (!(out << kept.dump()) || !out.flush())
     throw UsageError(fmt::format("can't write {}: is the disk full?", file.string()));
   fs::rename(whole, file);
+}
+
+std::optional<Score> loadScore(const fs::path& file) {
+  const std::optional<json> kept = loadKept(file);
+  try {
+    if (kept) return scoreFrom(*kept);
+  } catch (const json::exception&) { // it isn't a score: as if it weren't there
+  }
+  return std::nullopt;
+}
+
+void saveScore(const fs::path& file, const Score& score) {
+  saveKept(file, toJson(score));
 }
 
 } // namespace ggrade::calibration

@@ -57,9 +57,13 @@ nlohmann::json toJson(const Score& score);
 /// Throws nlohmann::json::exception for anything that toJson didn't write.
 Score scoreFrom(const nlohmann::json& json);
 
-/// One grading's file; nothing if it isn't there or isn't whole.
-std::optional<Score> loadScore(const std::filesystem::path& file);
+/// What was kept in a file of the cache; nothing if it isn't there or isn't whole.
+std::optional<nlohmann::json> loadKept(const std::filesystem::path& file);
 /// Appears whole or not at all. Throws UsageError when the disk is full.
+void saveKept(const std::filesystem::path& file, const nlohmann::json& kept);
+
+/// Likewise, of one grading.
+std::optional<Score> loadScore(const std::filesystem::path& file);
 void saveScore(const std::filesystem::path& file, const Score& score);
 
 } // namespace ggrade::calibration
