@@ -17,7 +17,7 @@ using gg::say;
 namespace {
 
 /// Points that the reference's texels give, along a side.
-constexpr int kSide = 32;
+constexpr int kSide = 64;
 /// Of the points; what rounding and another look at an edge may lose.
 constexpr double kLost = 0.01;
 /// Times the reference's extent: what a frustum may be larger, across and in depth. Wide and round
@@ -166,7 +166,7 @@ std::string frustumFault(const Frustum& frustum, const trace::Trace& trace) {
   const double most = std::max({spread.behind, spread.near, spread.far, spread.beside});
   if (most > kLost) {
     if (most == spread.behind)
-      return say("{}% of what the light should see lies behind the camera that depths are drawn "
+      return say("about {}% of what the light should see lies behind the camera that depths are drawn "
                  "with: does it look the other way (a camera looks along -z of its own space), or "
                  "are these not the light's matrices?",
                  percent(most));
@@ -175,11 +175,11 @@ std::string frustumFault(const Frustum& frustum, const trace::Trace& trace) {
           "what is farther from the light gets a smaller depth: is the near plane's distance "
           "greater than the far one's, or the sign of z another one than a camera's?");
     if (most == spread.near)
-      return say("{}% of what the light should see lies nearer than its near plane", percent(most));
+      return say("about {}% of what the light should see lies nearer than its near plane", percent(most));
     if (most == spread.far)
-      return say("{}% of what the light should see lies beyond its far plane", percent(most));
+      return say("about {}% of what the light should see lies beyond its far plane", percent(most));
     return say(
-        "{}% of what the light should see lies beside its frustum: does that hold all corners "
+        "about {}% of what the light should see lies beside its frustum: does that hold all corners "
         "of the box?",
         percent(most));
   }

@@ -194,7 +194,7 @@ std::string stepToRead(const Looked& looked, bool isLast) {
     return isLast ? say("every step is done; hand in what you changed in {}", shown(looked.folder))
                   : std::string();
   const Todo& todo = todoOf(*looked.part, row->todo);
-  if (isTogether(*looked.expected)) return fmt::format("{}: {}", looked.handout, words(todo.title));
+  if (isTogether(*looked.expected)) return looked.handout;
   const auto numberOf = [&](const std::string& id) {
     return &todoOf(*looked.part, id) - looked.part->todos.data() + 1;
   };

@@ -68,11 +68,11 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
            wanted.isDepth
                ? say("The sampler {} reads colours, not depths: another texture is bound to the "
                      "unit that it is set to. Was its unit made active (glActiveTexture) before "
-                     "yours was bound?",
+                     "yours was bound, and unit 0 again after it?",
                      sampler)
                : say("The sampler {} reads depths, not colours: another texture is bound to the "
                      "unit that it is set to. Was its unit made active (glActiveTexture) before "
-                     "yours was bound?",
+                     "yours was bound, and unit 0 again after it?",
                      sampler)});
     else if (found->second.width > 0 && !sameSize(found->second, wanted)) {
       const auto [width, height] = std::pair(found->second.width, found->second.height);

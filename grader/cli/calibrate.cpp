@@ -399,11 +399,11 @@ void addCalibrate(CLI::App& app) {
   command->add_option("--name", options->name, "Name of the adopted patch, without the part")
       ->needs(adopted);
   command->footer(
-      "What must hold on every seed: a right answer scores at least 98; a mistake loses 60% of "
+      "What must hold on every seed: a right answer scores at least 98; a mistake loses 30% of "
       "its\n"
-      "item's points and, where that is required, 15 in all; pictures without a program and the "
-      "stub\n"
-      "score 0; two mistakes cost no less than the dearer one; a right answer's score moves by at\n"
+      "item's points (60% of a keep item's) and, where that is required, 7.5 in all; pictures\n"
+      "without a program and the stub score 0; two mistakes cost no less than the dearer one; a "
+      "right answer's score moves by at\n"
       "most 1 from seed to seed. Gradings are kept in the cache: what was broken off goes on.\n"
       "Exit codes: 0 all of it holds, 1 it doesn't, 2 usage, 3 no sandbox, 130 broken off.\n\n"
       "Examples:\n"

@@ -14,10 +14,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-double creditOf(const results::Item& item) {
-  double credit = 1;
-  for (const auto& [scene, one] : item.credits) credit = std::min(credit, one);
-  return credit;
+/// In its worst scene.
+double leastCredit(const results::Item& item) {
+  double least = 1;
+  for (const results::SceneCredit& one : item.credits) least = std::min(least, one.credit);
+  return least;
 }
 
 bool madeAlike(const trace::ImageRef& a, const trace::ImageRef& b) {
@@ -81,7 +82,7 @@ private:
   std::vector<std::string> heldBack(const std::vector<std::string>& earlier) const {
     std::vector<std::string> ids;
     for (const results::Item& item : items_)
-      if (item.judged && creditOf(item) < 1 && !isReplaced(item.id) &&
+      if (item.judged && leastCredit(item) < 1 && !isReplaced(item.id) &&
           std::any_of(earlier.begin(), earlier.end(),
                       [&](const std::string& one) { return isAfter(item.id, one); }))
         ids.push_back(item.id);
@@ -100,7 +101,7 @@ private:
     const results::Item* next = nullptr;
     for (const results::Item& item : items_)
       if (item.judged && !item.outputs.empty() && !isReplaced(item.id) &&
-          creditOf(item) < rubric::kNearlyAll && (!next || depth(item.id) < depth(next->id)) &&
+          leastCredit(item) < rubric::kNearlyAll && (!next || depth(item.id) < depth(next->id)) &&
           !heldBack({item.id}).empty())
         next = &item;
     return next;
@@ -168,15 +169,15 @@ private:
   void keepBetter(const results::Item& again) {
     const auto item = std::find_if(items_.begin(), items_.end(),
                                    [&](const results::Item& one) { return one.id == again.id; });
-    const double before = creditOf(*item);
+    const double before = results::creditOf(item->kind, item->credits);
     for (std::size_t i = 0; i < again.credits.size(); ++i)
       for (std::size_t k = 0; k < item->credits.size(); ++k)
-        if (item->credits[k].first == again.credits[i].first &&
-            item->credits[k].second < again.credits[i].second) {
-          item->credits[k].second = again.credits[i].second;
+        if (item->credits[k].scene == again.credits[i].scene &&
+            item->credits[k].credit < again.credits[i].credit) {
+          item->credits[k].credit = again.credits[i].credit;
           item->messages[k] = again.messages[i];
         }
-    const double credit = creditOf(*item);
+    const double credit = results::creditOf(item->kind, item->credits);
     const double earned = rubric::pointsOf(item->kind, item->points, credit);
     if (credit <= before || earned <= item->earned) return;
     item->earned = earned;
@@ -188,10 +189,8 @@ private:
   }
 
   static std::string worstMessage(const results::Item& item) {
-    const auto worst =
-        std::min_element(item.credits.begin(), item.credits.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    return fmt::format("{}: {}", worst->first,
+    const auto worst = std::ranges::min_element(item.credits, {}, &results::SceneCredit::credit);
+    return fmt::format("{}: {}", worst->scene,
                        item.messages[std::size_t(worst - item.credits.begin())]);
   }
 

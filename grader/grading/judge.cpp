@@ -57,8 +57,8 @@ std::vector<results::Item> readItems(const Target& target, const std::string& li
       item.earned = found->second.at("earned");
       item.message = found->second.at("message");
       for (const json& credit : found->second.at("credits")) {
-        item.credits.emplace_back(credit.at(0), credit.at(1));
-        item.messages.push_back(credit.at(2));
+        item.credits.push_back({credit.at(0), credit.at(1), credit.at(2)});
+        item.messages.push_back(credit.at(3));
       }
       for (const json& outputs : found->second.at("outputs")) {
         item.outputs.push_back({outputs.at("scene"), {}});
@@ -102,15 +102,16 @@ results::Item unjudgedItem(const ItemDeclaration& declared) {
 void keepScenes(std::vector<results::Item>& items, const std::vector<std::string>& scenes) {
   for (results::Item& item : items) {
     if (!item.judged) continue;
-    double credit = 1;
+    double worst = 1;
     std::string message = "no scene shows it";
-    std::vector<std::pair<std::string, double>> credits;
+    std::vector<results::SceneCredit> credits;
     std::vector<std::string> messages;
     for (std::size_t i = 0; i < item.credits.size(); ++i) {
-      if (std::ranges::find(scenes, item.credits[i].first) == scenes.end()) continue;
-      if (credits.empty() || item.credits[i].second < credit) {
-        credit = item.credits[i].second;
-        message = fmt::format("{}: {}", item.credits[i].first, item.messages[i]);
+      const auto& [scene, credit, isPublic] = item.credits[i];
+      if (std::ranges::find(scenes, scene) == scenes.end()) continue;
+      if (credits.empty() || credit < worst) {
+        worst = credit;
+        message = fmt::format("{}: {}", scene, item.messages[i]);
       }
       credits.push_back(item.credits[i]);
       messages.push_back(item.messages[i]);
@@ -118,7 +119,8 @@ void keepScenes(std::vector<results::Item>& items, const std::vector<std::string
     item.credits = std::move(credits);
     item.messages = std::move(messages);
     item.message = message;
-    item.earned = rubric::pointsOf(item.kind, item.points, credit);
+    item.earned =
+        rubric::pointsOf(item.kind, item.points, results::creditOf(item.kind, item.credits));
   }
 }
 

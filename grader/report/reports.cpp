@@ -57,7 +57,7 @@ std::string body(const results::Result& result, const results::Item& item) {
   if (!item.where.empty()) text += "Where: " + sanitizeLine(item.where) + "\n";
   if (!item.cause.empty()) text += "Likely cause: " + sanitizeLine(item.cause) + "\n";
   if (!item.step.empty()) text += "Read again: " + sanitizeLine(item.step) + "\n";
-  for (const auto& [scene, credit] : item.credits)
+  for (const auto& [scene, credit, isPublic] : item.credits)
     text += fmt::format("{}: {}\n", sanitizeLine(scene), percent(credit));
   return fmt::format("<failure type=\"points\" message=\"{}: {}\">{}</failure>", points,
                      escapeXml(sanitizeLine(item.message)), escapeXml(text));

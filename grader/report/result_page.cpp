@@ -62,7 +62,7 @@ json tagsOf(const results::Item& item) {
 
 json creditsOf(const results::Result& result, const results::Item& item) {
   json credits = json::array();
-  for (const auto& [scene, credit] : item.credits)
+  for (const auto& [scene, credit, isPublic] : item.credits)
     credits.push_back({{"scene", sanitizeLine(scene)},
                        {"credit", percent(credit)},
                        {"creditState", creditState(credit)},

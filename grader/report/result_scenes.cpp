@@ -50,7 +50,7 @@ struct Loss {
 std::vector<Loss> lossesIn(const results::Result& result, const results::Scene& scene) {
   std::vector<Loss> losses;
   for (std::size_t i = 0; i < result.items.size(); ++i)
-    for (const auto& [name, credit] : result.items[i].credits)
+    for (const auto& [name, credit, isPublic] : result.items[i].credits)
       if (name == scene.name && result.items[i].kind != results::ItemKind::bonus && credit < 1)
         losses.push_back({i, credit});
   return losses;

@@ -114,7 +114,8 @@ Json extraData(const results::Result& result) {
                                  {"place", sanitizeLine(diagnosis.place)}});
   for (const results::Item& item : result.items) {
     Json credits = Json::object();
-    for (const auto& [scene, credit] : item.credits) credits[sanitizeLine(scene)] = value(credit);
+    for (const results::SceneCredit& one : item.credits)
+      credits[sanitizeLine(one.scene)] = value(one.credit);
     Json carried = Json::array();
     for (const std::string& output : item.carried) carried.push_back(sanitizeLine(output));
     data["items"].push_back({{"id", sanitizeLine(item.id)},

@@ -31,20 +31,18 @@ bool isPublicScene(const results::Result& result, std::string_view name) {
 
 // Is the message about the public scene? It begins with the scene that lost most (see
 // rubric::decide), and no message of a hidden scene begins with the public one's name.
-bool speaksOfPublicScene(const results::Result& result, const results::Item& item) {
+bool speaksOfPublicScene(const results::Item& item) {
   return std::any_of(item.credits.begin(), item.credits.end(), [&](const auto& credit) {
-    return credit.second < 1 && isPublicScene(result, credit.first) &&
-           item.message.starts_with(credit.first + ": ");
+    return credit.credit < 1 && credit.isPublic && item.message.starts_with(credit.scene + ": ");
   });
 }
 
 // Could what was seen have been seen in a hidden scene? Without credits nobody can tell.
-bool speaksOfHiddenScene(const results::Result& result, const results::Item& item) {
-  if (speaksOfPublicScene(result, item)) return false;
+bool speaksOfHiddenScene(const results::Item& item) {
+  if (speaksOfPublicScene(item)) return false;
   return item.credits.empty() ||
-         std::any_of(item.credits.begin(), item.credits.end(), [&](const auto& credit) {
-           return credit.second < 1 && !isPublicScene(result, credit.first);
-         });
+         std::any_of(item.credits.begin(), item.credits.end(),
+                     [&](const auto& credit) { return credit.credit < 1 && !credit.isPublic; });
 }
 
 // The name in the catalogue is the instructor's at every level.
@@ -59,7 +57,7 @@ results::Item reduced(results::Item item, const results::Result& result, Reveal 
   if (reveal == Reveal::none) {
     for (std::string* text : {&item.message, &item.where, &item.cause, &item.step}) text->clear();
     item.credits.clear();
-  } else if (reveal == Reveal::names && speaksOfHiddenScene(result, item)) {
+  } else if (reveal == Reveal::names && speaksOfHiddenScene(item)) {
     item.message = withholdPositions(item.message);
     item.where.clear();
   }

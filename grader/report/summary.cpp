@@ -93,7 +93,7 @@ std::vector<const results::Item*> worstItems(const results::Result& result, std:
 const results::Scene* worstScene(const results::Result& result, const results::Item& item) {
   const results::Scene* worst = nullptr;
   double least = 1 - kEpsilon;
-  for (const auto& [name, credit] : item.credits) {
+  for (const auto& [name, credit, isPublic] : item.credits) {
     if (credit >= least) continue;
     const auto scene = std::find_if(result.scenes.begin(), result.scenes.end(),
                                     [&](const results::Scene& s) { return s.name == name; });

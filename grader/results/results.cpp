@@ -2,6 +2,8 @@
 
 #include "words/words.hpp"
 
+#include <algorithm>
+
 namespace ggrade::results {
 namespace {
 
@@ -84,6 +86,21 @@ std::string_view explanation(Outcome outcome) {
         "The grader failed, not the submission: no score is given and no attempt is lost.");
   }
   return "";
+}
+
+double creditOf(ItemKind kind, const std::vector<SceneCredit>& credits) {
+  double worstOfAll = 1, worst = 1, sum = 0;
+  std::size_t hidden = 0;
+  const bool isShown = !std::ranges::all_of(credits, &SceneCredit::isPublic);
+  for (const auto& [scene, credit, isPublic] : credits) {
+    worstOfAll = std::min(worstOfAll, credit);
+    if (isPublic && isShown) continue;
+    worst = std::min(worst, credit);
+    sum += credit;
+    ++hidden;
+  }
+  if (hidden == 0 || kind == ItemKind::keep) return worstOfAll;
+  return std::min(sum / double(hidden), (1 + worst) / 2);
 }
 
 } // namespace ggrade::results

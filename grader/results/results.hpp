@@ -53,6 +53,21 @@ struct PassOutputs {
   std::vector<Pair> pairs;
 };
 
+/// What an item has earned in one scene.
+struct SceneCredit {
+  std::string scene; ///< its name
+  double credit = 0; ///< 0 to 1
+  bool isPublic = false;
+
+  bool operator==(const SceneCredit&) const = default;
+};
+
+/// What an item earns of its points by what it has in each scene: 0 to 1, and 1 without any. Gain
+/// and bonus: the mean over the hidden scenes (the public one, which students have, counts where no
+/// hidden one shows the item), but what is wrong in one scene costs at least half of what it would
+/// if it were so in all: at most (1 + the worst) / 2. Keep: the worst of all scenes.
+double creditOf(ItemKind kind, const std::vector<SceneCredit>& credits);
+
 /// One rubric item. `points` come from assignment.json.
 struct Item {
   std::string id; ///< "mirror.shading"
@@ -67,9 +82,9 @@ struct Item {
   std::string cause;   ///< what a failure most likely means; empty when all points were earned
   std::string step;    ///< heading of the handout to read again; empty when all points were earned
   bool beyondLecture = false;
-  std::vector<std::pair<std::string, double>> credits; ///< scene name and credit 0 to 1
-  std::vector<std::string> messages;                   ///< one to each of `credits`
-  std::vector<PassOutputs> outputs; ///< by scene; empty where nothing can be replaced
+  std::vector<SceneCredit> credits;
+  std::vector<std::string> messages; ///< one to each of `credits`
+  std::vector<PassOutputs> outputs;  ///< by scene; empty where nothing can be replaced
   /// What the reference's was put in place of ("reflection"), where the item earned more by that;
   /// else empty.
   std::vector<std::string> carried;

@@ -125,8 +125,8 @@ double pointsOf(results::ItemKind kind, double points, double credit) {
 json lineOf(const ItemDeclaration& item, const Decision& decision) {
   json credits = json::array();
   for (std::size_t i = 0; i < decision.credits.size(); ++i)
-    credits.push_back(
-        {decision.credits[i].first, decision.credits[i].second, decision.messages[i]});
+    credits.push_back({decision.credits[i].scene, decision.credits[i].credit,
+                       decision.credits[i].isPublic, decision.messages[i]});
   return {{"id", item.id},
           {"earned", pointsOf(item.kind, item.points, decision.credit)},
           {"credit", decision.credit},
@@ -146,25 +146,26 @@ void warm(const ItemDeclaration& item, const Judge& judge, const Evidence& evide
 
 Decision decide(const ItemDeclaration& item, const std::vector<ItemDeclaration>& items,
                 const Judge& judge, const Evidence& evidence, Floors* floors) {
+  Floors own;
+  Floors& known = floors ? *floors : own;
   const auto floorOf = [&](const SceneEvidence& scene) {
-    const auto known = [&] {
-      return checked(judge, {scene, scene.stub, scene.stubTrace, nullptr}).quality;
-    };
-    if (!floors) return known();
-    const auto [entry, fresh] = floors->try_emplace({item.id, &scene});
-    if (fresh) entry->second = known();
+    const auto [entry, fresh] = known.try_emplace({item.id, &scene});
+    if (fresh)
+      entry->second = checked(judge, {scene, scene.stub, scene.stubTrace, nullptr}).quality;
     return entry->second;
   };
+  const bool isKeep = item.kind == results::ItemKind::keep;
+  // Where the stub is as good as the reference, the scene can't show the item.
+  const auto shows = [&](const SceneEvidence& scene) { return isKeep || floorOf(scene) <= 0.99; };
   Decision decision;
-  decision.credit = 1;
-  bool any = false;
+  std::vector<const SceneEvidence*> scenes; // of each credit
   for (const SceneEvidence& scene : evidence.scenes) {
     if (!looksAt(item, scene)) continue;
     double credit = 0;
     std::string message;
     if (scene.student.size() < scene.frameCount) {
       // What never came is lost once: where others have it to lose, it harmed nothing.
-      if (item.kind == results::ItemKind::keep && losesElsewhere(scene, items, evidence)) continue;
+      if (isKeep && losesElsewhere(scene, items, evidence)) continue;
       message = gg::say("{} of {} frames came", scene.student.size(), scene.frameCount);
     } else if (const auto odd = std::mismatch(scene.reference.begin(), scene.reference.end(),
                                               scene.student.begin(), sameSize);
@@ -176,22 +177,28 @@ Decision decide(const ItemDeclaration& item, const std::vector<ItemDeclaration>&
           checked(judge, {scene, scene.student, scene.studentTrace, baseOf(scene, evidence)});
       message = verdict.message;
       credit = verdict.quality;
-      // Nothing is left to scale where the student is as good as the reference.
-      if (item.kind != results::ItemKind::keep && verdict.quality < 1) {
-        const double floor = floorOf(scene);
-        // Where the stub is as good as the reference, the scene can't show the item.
-        if (floor > 0.99) continue;
-        credit = std::clamp((verdict.quality - floor) / (1 - floor), 0.0, 1.0);
-      }
+      if (!isKeep && credit < 1 && shows(scene))
+        credit = std::clamp((credit - floorOf(scene)) / (1 - floorOf(scene)), 0.0, 1.0);
     }
-    any = true;
-    decision.credits.emplace_back(scene.name, credit);
+    scenes.push_back(&scene);
+    decision.credits.emplace_back(scene.name, credit, scene.isPublic);
     decision.messages.push_back(message);
-    if (credit < decision.credit || decision.credits.size() == 1)
-      decision.message = fmt::format("{}: {}", scene.name, message);
-    decision.credit = std::min(decision.credit, credit);
   }
-  if (!any && item.kind == results::ItemKind::keep) {
+  // Nobody is asked about the stub where nothing was lost.
+  if (std::ranges::any_of(decision.credits, [](const auto& one) { return one.credit < 1; }))
+    for (std::size_t i = scenes.size(); i-- > 0;)
+      if (!shows(*scenes[i])) {
+        decision.credits.erase(decision.credits.begin() + std::ptrdiff_t(i));
+        decision.messages.erase(decision.messages.begin() + std::ptrdiff_t(i));
+      }
+  if (const auto worst =
+          std::ranges::min_element(decision.credits, {}, &results::SceneCredit::credit);
+      worst != decision.credits.end())
+    decision.message = fmt::format(
+        "{}: {}", worst->scene, decision.messages[std::size_t(worst - decision.credits.begin())]);
+  const bool any = !decision.credits.empty();
+  decision.credit = results::creditOf(item.kind, decision.credits);
+  if (!any && isKeep) {
     decision.message = gg::say("no scene has all its frames");
   } else if (!any && !evidence.again.empty()) {
     decision.credit = 0; // the first frames alone may not show it

@@ -61,8 +61,8 @@ json pairsOf(const Finder& finder, const SceneEvidence& scene) {
 
 /// What the item has earned in a scene; 0 in one that it doesn't look at.
 double creditIn(const Decision& decision, const std::string& scene) {
-  for (const auto& [name, credit] : decision.credits)
-    if (name == scene) return credit;
+  for (const results::SceneCredit& one : decision.credits)
+    if (one.scene == scene) return one.credit;
   return 0;
 }
 

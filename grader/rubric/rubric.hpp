@@ -64,10 +64,10 @@ bool add(const std::string& item, Judge judge);
 
 /// What the engine decides about one item over all scenes.
 struct Decision {
-  double credit = 0; ///< 0 to 1; the worst scene counts
-  std::string message;
-  std::vector<std::pair<std::string, double>> credits; ///< by scene
-  std::vector<std::string> messages;                   ///< one to each of `credits`
+  double credit = 0;   ///< 0 to 1, see results::creditOf
+  std::string message; ///< of the worst scene
+  std::vector<results::SceneCredit> credits;
+  std::vector<std::string> messages; ///< one to each of `credits`
 };
 
 /// What the stub has of an item in a scene, for who asks for many submissions.

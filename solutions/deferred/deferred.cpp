@@ -124,7 +124,7 @@ void app(const gg::Scene& scene) {
       //   Goal:   they are the G-buffer's, and its normals and identifiers (whole numbers) are 0
       //           where no object is. After the objects, the other pictures are drawn, and one is
       //           shown in the window: drawPasses(), showPicture(), without a depth test.
-      //   Expect: the same flat colours, a little brighter.              (figure.md, step 1)
+      //   Expect: the same flat colours, brighter.                       (figure.md, step 1)
       const glm::vec4 black(0);
       // BEGIN SOLUTION(figure.1)
       glBindFramebuffer(GL_FRAMEBUFFER, figure->gbuffer.framebuffer);

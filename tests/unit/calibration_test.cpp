@@ -129,21 +129,21 @@ TEST(Verdicts, ARightAnswerMovesByAtMostOnePoint) {
 TEST(Verdicts, AMistakeThatLosesTooLittleOfItsItemIsNamed) {
   const auto all = failures({measured(
       Kind::mistake, "p_m",
-      {score(1, {{"p.shape", 29.9}}), score(2, {{"p.shape", 50}}), score(3, {{"p.shape", 28}})},
+      {score(1, {{"p.shape", 14.9}}), score(2, {{"p.shape", 50}}), score(3, {{"p.shape", 14}})},
       "p.shape")});
-  EXPECT_THAT(all, ElementsAre("p_m: on seed 3 p.shape loses 28 of 50 points; 60% of them must "
+  EXPECT_THAT(all, ElementsAre("p_m: on seed 3 p.shape loses 14 of 50 points; 30% of them must "
                                "go: 31% differ (fails on 2 of 3 seeds: 1, 3)"));
 }
 
-TEST(Verdicts, AMistakeInARequiredItemCostsFifteenInAll) {
+TEST(Verdicts, AMistakeInARequiredItemCostsSevenAndAHalfInAll) {
   const auto lost = [](const char* id, double points) {
     return failures({measured(Kind::mistake, "p_m", {score(1, {{id, points}})}, id)});
   };
-  EXPECT_THAT(lost("p.colour", 18), IsEmpty());
+  EXPECT_THAT(lost("p.colour", 9), IsEmpty());
   EXPECT_THAT(lost("p.keep", 24), IsEmpty());
   EXPECT_THAT(lost("p.keep", 23.9), ElementsAre(HasSubstr("p.keep loses 23.9 of 40")));
-  EXPECT_THAT(lost("p.clip", 12), IsEmpty()); // beyond the lecture: may cost less
-  EXPECT_THAT(lost("p.clip", 11), ElementsAre(HasSubstr("p.clip loses 11 of 20")));
+  EXPECT_THAT(lost("p.clip", 6), IsEmpty()); // beyond the lecture: may cost less
+  EXPECT_THAT(lost("p.clip", 5.9), ElementsAre(HasSubstr("p.clip loses 5.9 of 20")));
   EXPECT_THAT(lost("p.soft", 6), IsEmpty()); // a bonus costs nothing of the 100
   std::vector<ItemDeclaration> small = kItems;
   small.push_back(item("p.small", results::ItemKind::gain, 5));
@@ -152,7 +152,7 @@ TEST(Verdicts, AMistakeInARequiredItemCostsFifteenInAll) {
   EXPECT_THAT(
       judge("p", small, {measured(Kind::mistake, "p_m", {cheap}, "p.small")}).failures(),
       ElementsAre(HasSubstr("it costs 5 points in all; a mistake in a required item costs at "
-                            "least 15")));
+                            "least 7.5")));
 }
 
 TEST(Verdicts, AnotherEndThanTheOneDeclaredFails) {

@@ -122,7 +122,7 @@ TEST(Look, ScenesThatAreNotLookedAtCostNothing) {
   gain.points = 20;
   gain.earned = 0;
   gain.judged = true;
-  gain.credits = {{"public", 0.9}, {"a", 0.255}, {"b", 0}};
+  gain.credits = {{"public", 0.9, true}, {"a", 0.255}, {"b", 0}};
   gain.messages = {"some", "much", "all"};
   keep.kind = results::ItemKind::keep;
   keep.points = 40;

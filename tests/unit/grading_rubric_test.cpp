@@ -1,4 +1,4 @@
-// The rubric engine: what the worst scene, the scale and a missing frame make of a judge's verdict.
+// The rubric engine: what the scenes, the scale and a missing frame make of a judge's verdict.
 
 #include "rubric/rubric.hpp"
 
@@ -12,8 +12,8 @@
 using namespace ggrade;
 using namespace ggrade::rubric;
 using testing::ElementsAre;
+using testing::FieldsAre;
 using testing::HasSubstr;
-using testing::Pair;
 
 namespace {
 
@@ -53,12 +53,48 @@ Decision decided(const ItemDeclaration& declared, std::vector<SceneEvidence> sce
                 {{}, "mirror", std::move(scenes)});
 }
 
-TEST(Rubric, TheWorstSceneCounts) {
-  const Decision decision = decided(item(results::ItemKind::gain),
-                                    {scene("a", 1, 0), scene("b", 0.25f, 0), scene("c", 0.5f, 0)});
-  EXPECT_DOUBLE_EQ(decision.credit, 0.25);
-  EXPECT_EQ(decision.message, "b: as seen");
-  EXPECT_THAT(decision.credits, ElementsAre(Pair("a", 1), Pair("b", 0.25), Pair("c", 0.5)));
+TEST(Rubric, AGainIsTheMeanOverTheScenesAndTheWorstIsNamed) {
+  const std::vector<SceneEvidence> scenes = {scene("a", 1, 0), scene("b", 0.25f, 0),
+                                             scene("c", 0.5f, 0)};
+  for (const auto kind : {results::ItemKind::gain, results::ItemKind::bonus}) {
+    const Decision decision = decided(item(kind), scenes);
+    EXPECT_DOUBLE_EQ(decision.credit, 1.75 / 3);
+    EXPECT_EQ(decision.message, "b: as seen");
+    EXPECT_THAT(decision.credits, ElementsAre(FieldsAre("a", 1, false), FieldsAre("b", 0.25, false),
+                                              FieldsAre("c", 0.5, false)));
+  }
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep), scenes).credit, 0.25)
+      << "what was spoiled is so once";
+}
+
+TEST(Rubric, ScenesThatCannotShowTheItemDoNotRaiseItsMean) {
+  SceneEvidence blank = scene("blank", 1, 1), cut = scene("cut", 1, 1);
+  cut.frameCount = 2;
+  const Decision lost = decided(item(results::ItemKind::gain), {blank, scene("b", 0.5f, 0), cut});
+  EXPECT_DOUBLE_EQ(lost.credit, 0.5);
+  EXPECT_THAT(lost.credits, ElementsAre(FieldsAre("b", 0.5, false)));
+  EXPECT_EQ(lost.messages.size(), 1u);
+}
+
+TEST(Rubric, WhatIsWrongInOneSceneCostsHalfAtLeast) {
+  std::vector<SceneEvidence> scenes(9, scene("a", 1, 0));
+  scenes.push_back(scene("b", 0, 0));
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain), scenes).credit, 0.5);
+  scenes.back() = scene("b", 0.25f, 0);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain), scenes).credit, 0.625);
+}
+
+TEST(Rubric, ThePublicSceneCountsWhereNoHiddenOneShowsTheItem) {
+  SceneEvidence known = scene("known", 1, 0);
+  known.isPublic = true;
+  const Decision typedIn = decided(item(results::ItemKind::gain), {known, scene("b", 0, 0)});
+  EXPECT_DOUBLE_EQ(typedIn.credit, 0);
+  EXPECT_THAT(typedIn.credits, ElementsAre(FieldsAre("known", 1, true), FieldsAre("b", 0, false)));
+  known = scene("known", 0.5f, 0);
+  known.isPublic = true;
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain), {known, scene("b", 1, 0)}).credit, 1);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain), {known, scene("b", 0, 1)}).credit, 0.5);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep), {known, scene("b", 1, 0)}).credit, 0.5);
 }
 
 TEST(Rubric, GainIsScaledBetweenStubAndReference) {
@@ -76,7 +112,7 @@ TEST(Rubric, ASceneThatTheStubFulfilsCannotShowTheItem) {
   const Decision decision =
       decided(item(results::ItemKind::gain), {scene("a", 0, 1), scene("b", 0.5f, 0)});
   EXPECT_DOUBLE_EQ(decision.credit, 0.5);
-  EXPECT_THAT(decision.credits, ElementsAre(Pair("b", 0.5)));
+  EXPECT_THAT(decision.credits, ElementsAre(FieldsAre("b", 0.5, false)));
   EXPECT_EQ(messageOf<std::runtime_error>(
                 [&] { decided(item(results::ItemKind::gain), {scene("a", 0, 1)}); }),
             "no scene can show mirror.where");
@@ -86,7 +122,7 @@ TEST(Rubric, ItemsLookAtTheScenesWithTheirTags) {
   const std::vector<SceneEvidence> scenes = {scene("a", 0.75f, 0), scene("b", 0.5f, 0, {"sunk"}),
                                              scene("c", 0.25f, 0, {"bonus"})};
   EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain, {"lecture"}), scenes).credit, 0.75);
-  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain, {"sunk", "bonus"}), scenes).credit, 0.25);
+  EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::gain, {"sunk", "bonus"}), scenes).credit, 0.375);
   // Without tags: all but bonus scenes.
   EXPECT_DOUBLE_EQ(decided(item(results::ItemKind::keep, {}), scenes).credit, 0.5);
 }

@@ -84,7 +84,7 @@ TEST(Reveal, PublicOutputIsTheStudents) {
 TEST(Reveal, PositionsOfThePublicSceneStay) {
   results::Result result = samples::partial(64, 48);
   results::Item& item = result.items[1];
-  item.credits = {{"public", 0.1}, {"hidden-low", 1}, {"hidden-many", 1}};
+  item.credits = {{"public", 0.1, true}, {"hidden-low", 1}, {"hidden-many", 1}};
   EXPECT_THAT(studentText(result, Reveal::names), HasSubstr("densest at (212, 340)"));
 }
 
@@ -92,12 +92,12 @@ TEST(Reveal, AMessageAboutThePublicSceneKeepsItsPositionsWhateverHappensElsewher
   results::Result result = samples::partial(64, 48);
   results::Item& item = result.items[1];
   item.message = "public: densest at (212, 340)";
-  item.credits = {{"public", 0.1}, {"hidden-low", 0.5}};
+  item.credits = {{"public", 0.1, true}, {"hidden-low", 0.5}};
   EXPECT_THAT(studentText(result, Reveal::names), HasSubstr("densest at (212, 340)"));
   item.message = "hidden-low: densest at (212, 340)";
   EXPECT_THAT(studentText(result, Reveal::names), Not(HasSubstr("212")));
   item.message = "public: densest at (212, 340)";
-  item.credits = {{"public", 1}, {"hidden-low", 0.5}};
+  item.credits = {{"public", 1, true}, {"hidden-low", 0.5}};
   EXPECT_THAT(studentText(result, Reveal::names), Not(HasSubstr("212")));
 }
 

@@ -89,7 +89,7 @@ results::Item item(const char* id, const char* title, const char* looksAt, resul
   made.id = id, made.title = title, made.looksAt = looksAt, made.kind = kind, made.points = points;
   made.earned = kind == results::ItemKind::keep ? 0 : points;
   made.judged = true;
-  made.credits = {{"public", 1}, {"hidden-low", 1}, {"hidden-many", 1}};
+  made.credits = {{"public", 1, true}, {"hidden-low", 1}, {"hidden-many", 1}};
   made.message = "as good as the reference in 3 scenes";
   return made;
 }
@@ -177,7 +177,7 @@ results::Result partial(int width, int height) {
                         const char* step) {
     results::Item& one = result.items[i];
     one.earned = earned, one.message = message, one.cause = cause, one.step = step;
-    one.credits = {{"public", 1},
+    one.credits = {{"public", 1, true},
                    {"hidden-low", one.points > 0 ? std::max(0.0, earned) / one.points : 0},
                    {"hidden-many", .9}};
   };
@@ -265,7 +265,7 @@ results::Result hostile() {
     for (std::string* field :
          {&one.id, &one.title, &one.looksAt, &one.message, &one.where, &one.cause, &one.step})
       *field = evil;
-    one.credits = {{evil, .5}, {"public", .5}};
+    one.credits = {{evil, .5}, {"public", .5, true}};
   }
   for (results::Scene& scene : result.scenes) {
     scene.outcome = scene.detail = evil;

@@ -151,7 +151,7 @@ TEST(Messages, StandBesideTheCredits) {
       decide(kItems[1], kItems, half, {{}, "mirror", {scene("a", "lecture"), late}, {}});
   EXPECT_THAT(decision.messages, ElementsAre("half", "0 of 1 frames came"));
   EXPECT_EQ(lineOf(kItems[1], decision)["credits"],
-            json::parse(R"([["a", 0.5, "half"], ["b", 0.0, "0 of 1 frames came"]])"));
+            json::parse(R"([["a", 0.5, false, "half"], ["b", 0.0, false, "0 of 1 frames came"]])"));
 }
 
 } // namespace

@@ -175,6 +175,7 @@ std::string calibrationPage(const std::vector<PagePart>& parts, const std::strin
                              {"rightScore", kRightScore},
                              {"spread", kSpread},
                              {"itemLoss", 100 * kItemLoss},
+                             {"keepLoss", 100 * kKeepLoss},
                              {"requiredCost", kRequiredCost},
                              {"tolerance", kTolerance * 255},
                              {"radius", kRadius},

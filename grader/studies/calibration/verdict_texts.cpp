@@ -40,6 +40,7 @@ json toJson(const Verdicts& verdicts, const std::vector<Measured>& all) {
                   {{"right_score", kRightScore},
                    {"spread", kSpread},
                    {"item_loss", kItemLoss},
+                   {"keep_loss", kKeepLoss},
                    {"required_cost", kRequiredCost}}},
                  {"confusion",
                   {{"right_accepted", confusion[0][0]},

@@ -88,9 +88,10 @@ private:
     const ItemDeclaration& named = *item(program.fails);
     const double loss = lost(score, named);
     const auto message = score.messages.find(named.id);
-    result.require(loss, kItemLoss * named.points,
+    const double share = named.kind == results::ItemKind::keep ? kKeepLoss : kItemLoss;
+    result.require(loss, share * named.points,
                    fmt::format("{} loses {} of {} points; {}% of them must go{}", named.id,
-                               number(loss), number(named.points), number(100 * kItemLoss),
+                               number(loss), number(named.points), number(100 * share),
                                message == score.messages.end() ? "" : ": " + message->second));
     if (named.beyondLecture || named.kind == results::ItemKind::bonus) return;
     const double cost = full_ - score.score;

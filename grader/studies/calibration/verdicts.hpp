@@ -12,11 +12,13 @@
 
 namespace ggrade::calibration {
 
-/// What must hold on every seed.
-inline constexpr double kRightScore = 98;   ///< of 100: a right answer has at least this
-inline constexpr double kSpread = 1;        ///< points that a right answer's score may move by seed
-inline constexpr double kItemLoss = 0.6;    ///< share of the named item that a mistake loses
-inline constexpr double kRequiredCost = 15; ///< points that a mistake in a required item costs
+/// What must hold on every seed. What a mistake costs at least is half of what it would if it were
+/// as wrong in every scene: an item earns up to (1 + worst) / 2, see results::creditOf.
+inline constexpr double kRightScore = 98; ///< of 100: a right answer has at least this
+inline constexpr double kSpread = 1;      ///< points that a right answer's score may move by seed
+inline constexpr double kKeepLoss = 0.6;  ///< share of the named keep item that a mistake loses
+inline constexpr double kItemLoss = kKeepLoss / 2; ///< and of any other
+inline constexpr double kRequiredCost = 7.5; ///< points that a mistake in a required item costs
 
 /// One program over all seeds.
 struct Row {

@@ -159,7 +159,7 @@ private:
     for (const auto& one : all_)
       if (!load(common, *one)) missing.push_back(one.get());
     done_ = all_.size() - missing.size();
-    say("grading", all_.size());
+    tell("grading", all_.size());
     if (missing.empty()) return;
     const SeedPictures pictures(target_, solutionFolder_, plan);
     grading::Grader grader(target_, solutionFolder_, plan, calibration::graderOptions(),
@@ -171,7 +171,7 @@ private:
       keep(common, *missing[i]);
       const std::lock_guard lock(mutex_);
       ++done_;
-      say("grading", all_.size());
+      tell("grading", all_.size());
     });
   }
 
@@ -221,7 +221,7 @@ private:
       std::vector<std::vector<Image>> wanted(plan.scenes.size());
       std::once_flag drawn;
       done_ = scenes;
-      say(fmt::format("{} that no scene shows", unseen.size()), options_.scenes);
+      tell(fmt::format("{} that no scene shows", unseen.size()), options_.scenes);
       grading::inParallel(unseen.size(), options_.jobs, [&](std::size_t i) {
         const fs::path file = calibration::scoreFile(common + unseen[i]->program->key());
         if (const auto kept = calibration::loadKept(file)) {
@@ -302,7 +302,7 @@ private:
                            {"step", found.step}});
   }
 
-  void say(const std::string& what, std::size_t total) const {
+  void tell(const std::string& what, std::size_t total) const {
     if (options_.progress) options_.progress(what, std::min(done_, total), total);
   }
 
