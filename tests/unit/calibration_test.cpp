@@ -96,7 +96,7 @@ TEST(Verdicts, RightAnswersThatKeepTheirPointsAndMistakesThatLoseTheirsSeparate)
   EXPECT_NEAR(variant.margin, 0, 1e-9);
   const Row& mistake = verdicts.rows[2];
   EXPECT_NEAR(mistake.itemLoss, 0.6, 1e-9);
-  EXPECT_NEAR(mistake.margin, 0, 1e-9); // of the item; the cost has 15 to spare
+  EXPECT_NEAR(mistake.margin, 15, 1e-9); // of the item: 30 of 50 lost, 15 must be
 }
 
 TEST(Verdicts, ARightAnswerBelow98IsNamedWithItsSeedAndWhatItLost) {
@@ -199,15 +199,15 @@ TEST(Verdicts, AProgramThatCouldNotBeGradedFailsByName) {
 TEST(Verdicts, TheTableAndTheJsonSayTheSame) {
   const std::vector<Measured> all = {
       measured(Kind::reference, "reference", {score(1, {})}),
-      measured(Kind::mistake, "p_m", {score(1, {{"p.shape", 20}})}, "p.shape")};
+      measured(Kind::mistake, "p_m", {score(1, {{"p.shape", 10}})}, "p.shape")};
   const Verdicts verdicts = judge("p", kItems, all);
   const std::string table = tableOf(verdicts);
-  EXPECT_THAT(table, AllOf(HasSubstr("p: 2 programs, seeds 1, 2 gradings"), HasSubstr("40%"),
+  EXPECT_THAT(table, AllOf(HasSubstr("p: 2 programs, seeds 1, 2 gradings"), HasSubstr("20%"),
                            HasSubstr("FAILS"), HasSubstr("score 100 or more"),
                            HasSubstr("Wrong ones taken for right: 1 of 1")));
   const nlohmann::json json = toJson(verdicts, all);
-  EXPECT_EQ(json.at("programs").at(1).at("item_loss"), 0.4);
-  EXPECT_EQ(json.at("programs").at(1).at("scores").at(0).at("score"), 80);
+  EXPECT_EQ(json.at("programs").at(1).at("item_loss"), 0.2);
+  EXPECT_EQ(json.at("programs").at(1).at("scores").at(0).at("score"), 90);
   EXPECT_EQ(json.at("confusion").at("wrong_accepted"), 1);
 }
 
@@ -255,7 +255,7 @@ TEST(CalibrationPage, ShowsEveryProgramAndEscapesWhatPatchesSay) {
   PagePart part;
   part.title = "Part <one>";
   part.measured = {measured(Kind::reference, "reference", {score(1, {})}),
-                   measured(Kind::mistake, "p_m", {score(1, {{"p.shape", 20}})}, "p.shape")};
+                   measured(Kind::mistake, "p_m", {score(1, {{"p.shape", 10}})}, "p.shape")};
   part.measured[1].program.title = "Uses <b> & co";
   part.verdicts = judge("p", kItems, part.measured);
   EXPECT_THAT(calibrationPage({part}), Not(HasSubstr("Diagnosis")));
@@ -264,7 +264,7 @@ TEST(CalibrationPage, ShowsEveryProgramAndEscapesWhatPatchesSay) {
   EXPECT_THAT(page, AllOf(HasSubstr("1 of 2 gradings were wrong; 1 thing below must hold and does "
                                     "not."),
                           HasSubstr("Part &lt;one&gt;"), HasSubstr("Uses &lt;b&gt; &amp; co"),
-                          HasSubstr("<title>p_m, seed 1: 80</title>"), HasSubstr("none fails"),
+                          HasSubstr("<title>p_m, seed 1: 90</title>"), HasSubstr("none fails"),
                           HasSubstr("<h3>Diagnosis</h3>"), HasSubstr("<td>&lt;2&gt;</td>"),
                           Not(HasSubstr("{{"))));
 }
