@@ -9,6 +9,7 @@
 #include "words/words.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace ssao_rubric;
 
@@ -138,6 +139,9 @@ constexpr double kNoiseFree = 0.15, kNoiseGone = 0.4;
 constexpr double kEdgesFree = 0.6, kEdgesGone = 0.9;
 /// Of the noise, in one direction. Right answers leave at most 0.05, a blur along rows alone 0.3.
 constexpr double kStripesFree = 0.12, kStripesGone = 0.25;
+/// Share of the noise of the reference's occlusion, from which on another one has some to be
+/// removed.
+constexpr double kHasNoise = 0.3;
 
 /// What a blur that keeps edges makes of it: the mean of the pixels nearby that show the same
 /// surface, by its normal and colour.
@@ -229,12 +233,10 @@ Verdict blurredAtLast(const View& view) {
   const std::vector<Opening> all = openings(view);
   std::vector<Image> found = {openInWindow(view, 0)}, wanted = {regions.open};
   for (const Opening& opening : all) found.push_back(opening.open);
-  if (!all.empty()) {
-    const Image own = blurredWell(all.front().open, view);
-    // Next to nothing has no noise to be removed.
-    if (apart(own, regions.open, regions.covered) < 0.7) wanted.push_back(own);
-  }
   const Image noise = noiseOf(view);
+  // However dark it is; but what has no noise has none to be removed.
+  if (!all.empty() && stripes(view, all.front().open, noise) > kHasNoise)
+    wanted.push_back(blurredWell(all.front().open, view));
   Verdict best{-1, ""};
   for (const Image& one : found)
     for (const Image& goal : wanted) {
@@ -251,6 +253,20 @@ constexpr double kLightFree = 0.25, kLightGone = 0.8;
 /// Least difference that ambient light makes for a pixel to tell how much of it there is.
 constexpr float kLeastLight = 20.0f / 255;
 
+/// How alike two occlusions are, however dark each is: Pearson's correlation over the region, -1 to
+/// 1, and 0 where one of them is the same everywhere.
+double correlation(const Image& a, const Image& b, const Mask& region) {
+  double count = 0, sumA = 0, sumB = 0, sumAA = 0, sumBB = 0, sumAB = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      if (!region.at(x, y)) continue;
+      const auto u = double(a.at(x, y)), v = double(b.at(x, y));
+      count += 1, sumA += u, sumB += v, sumAA += u * u, sumBB += v * v, sumAB += u * v;
+    }
+  const double spread = (count * sumAA - sumA * sumA) * (count * sumBB - sumB * sumB);
+  return spread > 0 ? (count * sumAB - sumA * sumB) / std::sqrt(spread) : 0;
+}
+
 /// Does the window's light follow the reference's occlusion, or else the submission's own?
 Verdict applied(const View& view) {
   const Regions& regions = regionsOf(view.scene, 0);
@@ -263,8 +279,9 @@ Verdict applied(const View& view) {
   double least = apart(found, smoothed(regions.open, region, kReach), region);
   for (const Opening& opening : openings(view)) {
     const Image own = smoothed(opening.open, region, kReach);
-    // It must keep out something to be followed.
-    if (apart(own, regions.open, region) < 0.8) least = std::min(least, apart(found, own, region));
+    // What is followed must be an occlusion, however dark.
+    if (apart(own, regions.open, region) < 0.8 || correlation(own, regions.open, region) > 0.7)
+      least = std::min(least, apart(found, own, region));
   }
   return {
       qualityOf(least, kLightFree, kLightGone),

@@ -177,6 +177,7 @@ std::string calibrationPage(const std::vector<PagePart>& parts, const std::strin
                              {"itemLoss", 100 * kItemLoss},
                              {"keepLoss", 100 * kKeepLoss},
                              {"requiredCost", kRequiredCost},
+                             {"stillScore", kStillScore},
                              {"tolerance", kTolerance * 255},
                              {"radius", kRadius},
                              {"window", kWindowSide}},

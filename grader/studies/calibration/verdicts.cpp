@@ -72,7 +72,10 @@ public:
     } else if (program.kind == Kind::pair) {
       checkPair(program, score, result);
     } else {
-      result.require(0, score.score, fmt::format("it scores {} instead of 0", number(score.score)));
+      const double most = program.name == "frozen" ? kStillScore : 0;
+      result.require(most, score.score,
+                     fmt::format("it scores {} instead of {}{}", number(score.score),
+                                 most > 0 ? "at most " : "", number(most)));
     }
     if (score.outcome != program.outcome && program.kind != Kind::pair) {
       result.margin = std::min(result.margin, -1.0);
