@@ -29,7 +29,7 @@ TEST(Deferred, HighlightsAreSmallButWorthMostOfTheSum) {
       gradePart("targets", targets("compose.frag",
                                    "  if (uHasSpecular) light += texture(uSpecular, at).rgb;\n", "")
                                .path());
-  EXPECT_LT(graded.earned("targets.compose"), 0.4 * 25);
+  EXPECT_LT(graded.earned("targets.compose"), 0.7 * 25);
 }
 
 /// As handouts once asked for it: all irradiance is occluded, and what a surface mirrors it
