@@ -166,22 +166,24 @@ std::string frustumFault(const Frustum& frustum, const trace::Trace& trace) {
   const double most = std::max({spread.behind, spread.near, spread.far, spread.beside});
   if (most > kLost) {
     if (most == spread.behind)
-      return say("about {}% of what the light should see lies behind the camera that depths are drawn "
-                 "with: does it look the other way (a camera looks along -z of its own space), or "
-                 "are these not the light's matrices?",
-                 percent(most));
+      return say(
+          "about {}% of what the light should see lies behind the camera that depths are drawn "
+          "with: does it look the other way (a camera looks along -z of its own space), or "
+          "are these not the light's matrices?",
+          percent(most));
     if (spread.isReversed)
       return say(
           "what is farther from the light gets a smaller depth: is the near plane's distance "
           "greater than the far one's, or the sign of z another one than a camera's?");
     if (most == spread.near)
-      return say("about {}% of what the light should see lies nearer than its near plane", percent(most));
+      return say("about {}% of what the light should see lies nearer than its near plane",
+                 percent(most));
     if (most == spread.far)
       return say("about {}% of what the light should see lies beyond its far plane", percent(most));
-    return say(
-        "about {}% of what the light should see lies beside its frustum: does that hold all corners "
-        "of the box?",
-        percent(most));
+    return say("about {}% of what the light should see lies beside its frustum: does that hold all "
+               "corners "
+               "of the box?",
+               percent(most));
   }
   if (!(spread.extent[2] * kMuchDeeper > frustum.extent[2]))
     return say("all that the light should see lies within {:.2g}% of the depths from near to far "

@@ -158,6 +158,38 @@ std::string failuresOf(const calibration::DiagnosisFigures& figures, const std::
   return failures;
 }
 
+/// The page's part where only this was measured.
+calibration::PagePart pageOf(const Target& target, std::vector<calibration::Section> sections,
+                             const std::string& alone) {
+  calibration::PagePart page{target.parts[0].title, {}, {}, std::move(sections), alone};
+  page.verdicts.part = target.id;
+  return page;
+}
+
+/// Puts the page and the figures of all parts where results go, and prints them or `text`.
+/// \param work what else goes there lies in it already
+/// \param file of the figures
+void publish(const CalibrateOptions& options, grading::TemporaryFolder& work, const fs::path& out,
+             const nlohmann::json& parts, const std::string& file,
+             const std::vector<calibration::PagePart>& pages, const std::string& text) {
+  const nlohmann::json all = {{"parts", parts}};
+  report::writeFile(work.path() / file, all.dump(1) + '\n');
+  report::writeFile(work.path() / "index.html", calibration::calibrationPage(pages, file));
+  work.publish(out);
+  if (options.json)
+    std::cout << all.dump(2) << '\n';
+  else
+    std::cout << text << (out / "index.html").string() << '\n';
+}
+
+/// Ends with an error if something doesn't hold.
+void endWith(const std::string& what, const std::string& failures) {
+  if (failures.empty()) return;
+  std::cout.flush();
+  fmt::print(stderr, "ggrade: {}:\n{}", what, failures);
+  exitCode = kNotGradable;
+}
+
 void calibrate(const CalibrateOptions& options) {
   const std::vector<Target> targets = partsOf(options.id);
   const fs::path out = resultsFolder(options);
@@ -172,12 +204,9 @@ void calibrate(const CalibrateOptions& options) {
     if (options.diagnosisOnly) {
       const auto figures = diagnoseAll(options, target, solutions, catalogue);
       parts.push_back({{"part", target.id}, {"diagnosis", calibration::toJson(figures)}});
-      calibration::PagePart page{
-          target.parts[0].title, {}, {}, {calibration::sectionOf(figures)}, "the diagnosis"};
-      page.verdicts.part = target.id;
-      tables += page.sections[0].text + "\n\n";
+      pages.push_back(pageOf(target, {calibration::sectionOf(figures)}, "the diagnosis"));
+      tables += pages.back().sections[0].text + "\n\n";
       failures += failuresOf(figures, target.id);
-      pages.push_back(std::move(page));
       continue;
     }
     Progress progress("calibrating " + target.id);
@@ -208,19 +237,9 @@ void calibrate(const CalibrateOptions& options) {
     pages.back().sections.push_back(calibration::sectionOf(crossed));
     tables += pages.back().sections.back().text + "\n\n";
   }
-  const nlohmann::json all = {{"parts", parts}};
   grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
-  report::writeFile(work.path() / "calibration.json", all.dump(1) + '\n');
-  report::writeFile(work.path() / "index.html", calibration::calibrationPage(pages));
-  work.publish(out);
-  if (options.json)
-    std::cout << all.dump(2) << '\n';
-  else
-    std::cout << tables << (out / "index.html").string() << '\n';
-  if (failures.empty()) return;
-  std::cout.flush();
-  fmt::print(stderr, "ggrade: right and wrong answers don't separate:\n{}", failures);
-  exitCode = kNotGradable;
+  publish(options, work, out, parts, "calibration.json", pages, tables);
+  endWith("right and wrong answers don't separate", failures);
 }
 
 /// Errors and seconds of looking less closely, and of whole-image measures.
@@ -230,6 +249,7 @@ void trade(const CalibrateOptions& options) {
   requireSandbox();
   std::vector<calibration::Trade> all;
   std::vector<calibration::PagePart> pages;
+  std::string texts;
   nlohmann::json parts = nlohmann::json::array();
   for (const Target& target : targets) {
     const fs::path solutions = solutionFolder(target.assignment.id);
@@ -242,25 +262,13 @@ void trade(const CalibrateOptions& options) {
         target, solutions, programs,
         {seedsOf(options, target, solutions), options.jobs, std::ref(progress)}));
     parts.push_back(calibration::toJson(all.back()));
-    calibration::PagePart page;
-    page.title = target.parts[0].title;
-    page.verdicts.part = target.id;
-    page.sections = calibration::sectionsOf(all.back());
-    page.alone = "the grader's trade of time against errors";
-    pages.push_back(std::move(page));
+    pages.push_back(pageOf(target, calibration::sectionsOf(all.back()),
+                           "the grader's trade of time against errors"));
+    texts += calibration::textOf(all.back()) + '\n';
   }
-  const nlohmann::json json = {{"parts", parts}};
   grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
-  report::writeFile(work.path() / "trade.json", json.dump(1) + '\n');
   report::writeFile(work.path() / "trade.csv", calibration::csvOf(all));
-  report::writeFile(work.path() / "index.html", calibration::calibrationPage(pages, "trade.json"));
-  work.publish(out);
-  if (options.json) {
-    std::cout << json.dump(2) << '\n';
-    return;
-  }
-  for (const calibration::Trade& one : all) std::cout << calibration::textOf(one) << '\n';
-  std::cout << (out / "index.html").string() << '\n';
+  publish(options, work, out, parts, "trade.json", pages, texts);
 }
 
 /// Scores and diagnoses of programs that nobody has written.
@@ -286,31 +294,14 @@ void generate(const CalibrateOptions& options) {
     nlohmann::json json = generated::toJson(figures);
     json["part"] = target.id;
     parts.push_back(std::move(json));
-    calibration::PagePart page{target.parts[0].title,
-                               {},
-                               {},
-                               {generated::sectionOf(figures, target)},
-                               "generated programs"};
-    page.verdicts.part = target.id;
-    texts += fmt::format("{}: {}\n\n", target.id, page.sections[0].text);
-    for (const auto& row : page.sections[0].rows)
-      texts += fmt::format("  {}\n", fmt::join(row, " | "));
+    pages.push_back(pageOf(target, {generated::sectionOf(figures, target)}, "generated programs"));
+    const calibration::Section& section = pages.back().sections[0];
+    texts += fmt::format("{}: {}\n\n", target.id, section.text);
+    for (const auto& row : section.rows) texts += fmt::format("  {}\n", fmt::join(row, " | "));
     failures += generated::failuresOf(figures);
-    pages.push_back(std::move(page));
   }
-  const nlohmann::json all = {{"parts", parts}};
-  report::writeFile(work.path() / "generated.json", all.dump(1) + '\n');
-  report::writeFile(work.path() / "index.html",
-                    calibration::calibrationPage(pages, "generated.json"));
-  work.publish(out);
-  if (options.json)
-    std::cout << all.dump(2) << '\n';
-  else
-    std::cout << texts << '\n' << (out / "index.html").string() << '\n';
-  if (failures.empty()) return;
-  std::cout.flush();
-  fmt::print(stderr, "ggrade: this doesn't hold of generated programs:\n{}", failures);
-  exitCode = kNotGradable;
+  publish(options, work, out, parts, "generated.json", pages, texts + '\n');
+  endWith("this doesn't hold of generated programs", failures);
 }
 
 void measureDrift(const CalibrateOptions& options, unsigned seeds) {

@@ -19,12 +19,6 @@ using results::Diagnosis;
 
 namespace {
 
-std::string stepHeading(const Part& part, const std::string& todo) {
-  for (std::size_t i = 0; i < part.todos.size(); ++i)
-    if (part.todos[i].id == todo) return say("Step {}: {}", i + 1, part.todos[i].title);
-  return {};
-}
-
 /// The step of the item that lost most.
 std::string stepOfWorst(const results::Result& result, const Part& part) {
   const results::Item* worst = nullptr;

@@ -34,10 +34,9 @@ namespace {
 
 constexpr double kAnswerSeconds = 120;
 
-std::string stepTitle(const Target& target, const std::string& todo) {
+std::string headingIn(const Target& target, const std::string& todo) {
   for (const Part& part : target.parts)
-    for (std::size_t i = 0; i < part.todos.size(); ++i)
-      if (part.todos[i].id == todo) return gg::say("Step {}: {}", i + 1, part.todos[i].title);
+    if (std::string heading = stepHeading(part, todo); !heading.empty()) return heading;
   return todo;
 }
 
@@ -69,7 +68,7 @@ std::vector<results::Item> readItems(const Target& target, const std::string& li
           item.kind == results::ItemKind::keep ? item.earned >= 0 : item.earned >= item.points;
       if (!full) {
         item.cause = declared.cause;
-        item.step = stepTitle(target, declared.step);
+        item.step = headingIn(target, declared.step);
       }
     }
     items.push_back(std::move(item));
@@ -87,6 +86,12 @@ std::vector<char*> withoutGoogleTest() {
 }
 
 } // namespace
+
+std::string stepHeading(const Part& part, const std::string& todo) {
+  for (std::size_t i = 0; i < part.todos.size(); ++i)
+    if (part.todos[i].id == todo) return gg::say("Step {}: {}", i + 1, part.todos[i].title);
+  return {};
+}
 
 results::Item unjudgedItem(const ItemDeclaration& declared) {
   results::Item item;

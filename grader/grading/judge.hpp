@@ -14,10 +14,14 @@
 
 namespace ggrade::grading {
 
+/// The heading of the handout's step about a TODO, as results name it; empty: the part has no such
+/// TODO.
+std::string stepHeading(const Part& part, const std::string& todo);
+
 /// An item as declared, with nothing earned yet.
 results::Item unjudgedItem(const ItemDeclaration& declared);
 
-/// Items of which only these scenes are known: the worst of them counts. What none of them shows
+/// Items of which only these scenes are known, see results::creditOf. What none of them shows
 /// is given, for nobody saw it wrong.
 void keepScenes(std::vector<results::Item>& items, const std::vector<std::string>& scenes);
 

@@ -78,6 +78,7 @@ std::vector<KnownAnswer> everyProgram(const Assignment& assignment,
     program.kind = Kind::pictures;
     program.name = kind.name;
     program.title = kind.title;
+    program.most = kind.most;
     all.push_back(std::move(program));
   }
   KnownAnswer stub;
@@ -122,7 +123,7 @@ const std::vector<PictureKind>& pictureKinds() {
       {"grey", "Frames of one grey"},
       {"white", "White frames"},
       {"noise", "Noise"},
-      {"frozen", "The first frame again and again"},
+      {"frozen", "The first frame again and again", kStillScore},
       {"other scene", "Right pictures, but of another scene"},
       {"public frames", "The public scene's right pictures in every scene"}};
   return kinds;

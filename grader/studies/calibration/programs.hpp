@@ -35,6 +35,7 @@ struct KnownAnswer {
   std::vector<std::string> loses;                      ///< variant: the items that it may lose
   results::Outcome outcome = results::Outcome::graded; ///< how grading must end
   std::vector<std::string> of;                         ///< pair: its two mistakes
+  double most = 0;                                     ///< pictures, stub: what they may score
 };
 
 /// The reference, the stub, every patch of the catalogue, every pair, and the pictures (see
@@ -80,7 +81,12 @@ struct Measured {
 /// understood nothing, or who has the pictures of another scene.
 struct PictureKind {
   std::string name, title;
+  double most = 0; ///< that they may score
 };
+
+/// What right first frames, shown again and again, may score: they are right in scenes of one
+/// frame.
+inline constexpr double kStillScore = 20;
 
 const std::vector<PictureKind>& pictureKinds();
 

@@ -72,10 +72,9 @@ public:
     } else if (program.kind == Kind::pair) {
       checkPair(program, score, result);
     } else {
-      const double most = program.name == "frozen" ? kStillScore : 0;
-      result.require(most, score.score,
+      result.require(program.most, score.score,
                      fmt::format("it scores {} instead of {}{}", number(score.score),
-                                 most > 0 ? "at most " : "", number(most)));
+                                 program.most > 0 ? "at most " : "", number(program.most)));
     }
     if (score.outcome != program.outcome && program.kind != Kind::pair) {
       result.margin = std::min(result.margin, -1.0);

@@ -19,9 +19,6 @@ inline constexpr double kSpread = 1;      ///< points that a right answer's scor
 inline constexpr double kKeepLoss = 0.6;  ///< share of the named keep item that a mistake loses
 inline constexpr double kItemLoss = kKeepLoss / 2; ///< and of any other
 inline constexpr double kRequiredCost = 7.5; ///< points that a mistake in a required item costs
-/// What the reference's first frames, shown again and again, may score: they are right in scenes of
-/// one frame. All other pictures without a program score 0.
-inline constexpr double kStillScore = 20;
 
 /// One program over all seeds.
 struct Row {

@@ -2,15 +2,12 @@
 
 #include "calibration/classifier.hpp"
 #include "calibration/subject.hpp"
-
 #include "calibration/whole_image.hpp"
 #include "generated/mutants.hpp"
 #include "generated/rewrites.hpp"
 #include "grading/catalogue.hpp"
 #include "image/compare.hpp"
-#include "report/summary.hpp"
 #include "report/write_file.hpp"
-#include "words/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,20 +36,7 @@ constexpr std::size_t kMostRewrites = 12;
 struct Generated {
   Case found;
   std::shared_ptr<grading::Program> program;
-  std::once_flag once;
-  grading::Built built;
-
-  const grading::Built& build(grading::Grader& grader) {
-    std::call_once(once, [&] { built = grader.build(program, true); });
-    return built;
-  }
 };
-
-std::string headingOf(const Part& part, const std::string& todo) {
-  for (std::size_t i = 0; i < part.todos.size(); ++i)
-    if (part.todos[i].id == todo) return gg::say("Step {}: {}", i + 1, part.todos[i].title);
-  return {};
-}
 
 class Measurement {
 public:
@@ -70,9 +54,9 @@ public:
     makeWrong();
     gradeAll();
     lookAtUnseen();
-    for (const auto& one : all_) {
-      settle(one->found, target_.maxScore(), headingOf(part_, one->found.todo));
-      figures_.cases.push_back(one->found);
+    for (Generated& one : all_) {
+      settle(one.found, target_.maxScore(), grading::stepHeading(part_, one.found.todo));
+      figures_.cases.push_back(one.found);
     }
     measureAreas();
     return std::move(figures_);
@@ -81,10 +65,8 @@ public:
 private:
   /// The program of what stands in `files`, which are those of a finished one.
   void add(Case found, const fs::path& files) {
-    auto one = std::make_unique<Generated>();
-    one->found = std::move(found);
-    one->program = std::make_shared<grading::Program>(target_.assignment, grading::Recipe{files});
-    all_.push_back(std::move(one));
+    all_.push_back({std::move(found), std::make_shared<grading::Program>(target_.assignment,
+                                                                         grading::Recipe{files})});
   }
 
   fs::path folderOf(const std::string& name) const {
@@ -156,8 +138,8 @@ private:
     const std::string common = "generated " + grading::gradingKey(target_, solutionFolder_, plan) +
                                grading::wordsKey(target_.assignment, solutionFolder_);
     std::vector<Generated*> missing;
-    for (const auto& one : all_)
-      if (!load(common, *one)) missing.push_back(one.get());
+    for (Generated& one : all_)
+      if (!load(common, one)) missing.push_back(&one);
     done_ = all_.size() - missing.size();
     tell("grading", all_.size());
     if (missing.empty()) return;
@@ -177,7 +159,7 @@ private:
 
   void grade(Generated& one, grading::Grader& grader) {
     Case& found = one.found;
-    Graded graded = grader.draw(one.build(grader));
+    Graded graded = grader.draw(grader.build(one.program, true));
     grader.judge(graded);
     grader.diagnose(graded);
     found.score = calibration::scoreOf(graded.result);
@@ -194,10 +176,7 @@ private:
   /// The first scene with a window that isn't as the reference's.
   static std::string shownIn(const Graded& graded) {
     const auto windowsIn = [](const fs::path& folder) {
-      std::vector<Image> windows;
-      for (const rubric::RawFrame& frame : rubric::readFrames(folder))
-        windows.push_back(rubric::toImage(frame));
-      return windows;
+      return rubric::toImages(rubric::readFrames(folder));
     };
     for (const grading::GradedScene& scene : graded.scenes)
       if (isAnother(windowsIn(scene.student), windowsIn(scene.reference))) return scene.name;
@@ -207,9 +186,9 @@ private:
   /// Wrong programs that no scene of the grading shows are looked at in others, until one does.
   void lookAtUnseen() {
     std::vector<Generated*> unseen;
-    for (const auto& one : all_)
-      if (!one->found.isRight && one->found.shownIn.empty() && isDrawn(one->found))
-        unseen.push_back(one.get());
+    for (Generated& one : all_)
+      if (!one.found.isRight && one.found.shownIn.empty() && isDrawn(one.found))
+        unseen.push_back(&one);
     grading::Program reference(target_.assignment, {solutionFolder_});
     std::size_t scenes = 0;
     for (std::uint64_t seed = kOtherSeeds + options_.seed;
@@ -242,12 +221,8 @@ private:
 
   static std::vector<Image> windowsOf(grading::Program& program, const grading::SceneCase& scene) {
     if (grading::interrupted) throw grading::Interrupted{};
-    std::vector<Image> windows;
-    for (const auto& frame : program.render(scene.scene, scene.times, {}).capture.frames) {
-      if (!frame.written) break; // larger than any window that was asked for
-      windows.push_back(rubric::toImage({frame.time, frame.width, frame.height, frame.pixels}));
-    }
-    return windows;
+    return rubric::toImages(
+        grading::rawFrames(program.render(scene.scene, scene.times, {}).capture));
   }
 
   /// The first of these scenes with a window that isn't as it should be.
@@ -310,7 +285,7 @@ private:
   const Part& part_;
   const fs::path &solutionFolder_, &folder_;
   const MeasureOptions& options_;
-  std::vector<std::unique_ptr<Generated>> all_;
+  std::vector<Generated> all_;
   std::mutex mutex_;
   std::size_t done_ = 0;
   Figures figures_;
