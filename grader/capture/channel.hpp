@@ -10,8 +10,9 @@
 ///
 /// Layout: Header; trace::Tables if passes are recorded; `plan.frameCount` slots of
 /// `plan.slotBytes` bytes, each holding one frame as width x height x 4 bytes RGBA, row 0 at the
-/// bottom (as OpenGL has it); `plan.trace.copyBytes` bytes of copies; `plan.replacementBytes` bytes
-/// of pixels that the judging side has written. Each starts at a page.
+/// bottom (as OpenGL has it); `plan.trace.copyBytes` bytes of copies; `plan.trace.tapeBytes` bytes of
+/// tape (replay/tape_format.hpp); `plan.replacementBytes` bytes of pixels that the judging side has
+/// written. Each starts at a page.
 
 #include "trace/records.hpp"
 
@@ -22,7 +23,7 @@
 namespace ggrade::channel {
 
 inline constexpr std::uint32_t kMagic = 0x31434747; ///< "GGC1"
-inline constexpr std::uint32_t kVersion = 3;
+inline constexpr std::uint32_t kVersion = 4;
 inline constexpr std::uint32_t kMaxFrames = 64;
 inline constexpr std::uint32_t kMaxMessages = 64;
 inline constexpr std::uint32_t kMaxReplacements = 32;
@@ -125,6 +126,8 @@ struct Header {
   FrameRecord frames[kMaxFrames];
   Message messages[kMaxMessages];
   std::uint32_t replacements[kMaxReplacements]; ///< ReplacementAnswer to each of the plan's
+  std::uint64_t tapeBytes;                      ///< of the tape that is complete
+  char tapeRefused[128]; ///< why there is no tape: "The program ..." goes on so; empty: there is
 };
 
 static_assert(std::is_trivially_copyable_v<Header>);
@@ -133,6 +136,9 @@ static_assert(sizeof(Message) == 256);
 inline constexpr std::uint64_t kPage = 4096;
 /// Most room for copies that a plan may ask for.
 inline constexpr std::uint64_t kMaxCopyBytes = std::uint64_t{2} << 30;
+
+/// Most room for a tape.
+inline constexpr std::uint64_t kMaxTapeBytes = std::uint64_t{1} << 30;
 
 /// Most room that the pixels of all replacements together may take.
 inline constexpr std::uint64_t kMaxReplacementBytes = std::uint64_t{512} << 20;
@@ -158,15 +164,20 @@ constexpr std::uint64_t copiesOffset(const Plan& plan) {
   return pageAligned(slotOffset(plan, plan.frameCount));
 }
 
+/// Offset in bytes of the tape.
+constexpr std::uint64_t tapeOffset(const Plan& plan) {
+  return pageAligned(copiesOffset(plan) + plan.trace.copyBytes);
+}
+
 /// Offset in bytes of the replacements' pixels.
 constexpr std::uint64_t replacementsOffset(const Plan& plan) {
-  return pageAligned(copiesOffset(plan) + plan.trace.copyBytes);
+  return pageAligned(tapeOffset(plan) + plan.trace.tapeBytes);
 }
 
 /// Size of the whole file in bytes.
 constexpr std::uint64_t totalBytes(const Plan& plan) {
   return plan.replacementCount ? replacementsOffset(plan) + plan.replacementBytes
-                               : copiesOffset(plan) + plan.trace.copyBytes;
+                               : tapeOffset(plan) + plan.trace.tapeBytes;
 }
 
 } // namespace ggrade::channel

@@ -37,8 +37,11 @@ void requirePossible(const trace::Request& trace) {
     require(mask <= trace::kAllAttachments, "copies are of attachments 0 to 9");
   require(trace.copyFrames <= kMaxFrames, "copies are made in 64 frames at most");
   require(trace.copyBytes <= kMaxCopyBytes, "there is room for 2 GiB of copies at most");
-  require(trace.reserved == 0, "what is reserved is 0");
-  require(trace.passes != 0 || (trace.copies == 0 && trace.copyBytes == 0 && trace.times == 0),
+  require(trace.tapeFrames <= kMaxFrames, "64 frames at most are taped");
+  require(trace.tapeBytes <= kMaxTapeBytes, "there is room for 1 GiB of tape at most");
+  require((trace.tapeFrames == 0) == (trace.tapeBytes == 0), "a tape has frames and room, or neither");
+  require(trace.passes != 0 || (trace.copies == 0 && trace.copyBytes == 0 && trace.times == 0 &&
+                                trace.tapeFrames == 0),
           "nothing is recorded of passes without the passes");
 }
 

@@ -254,6 +254,15 @@ Capture Channel::read() const {
     }
     readCopies(descriptor_, copiesOffset(plan_), capture.trace);
   }
+  if (plan_.trace.tapeFrames > 0) {
+    if (!checker.atMost("tapeBytes", header->tapeBytes, plan_.trace.tapeBytes) ||
+        !checker.text("tapeRefused", header->tapeRefused, capture.tapeRefused))
+      return refused(checker.error);
+    if (capture.tapeRefused.empty()) {
+      capture.tape.resize(header->tapeBytes);
+      readAll(descriptor_, capture.tape.data(), capture.tape.size(), tapeOffset(plan_));
+    }
+  }
   for (std::uint32_t i = 0; i < capture.frames.size(); ++i) {
     if (capture.frames[i].written) {
       readPixels(descriptor_, slotOffset(plan_, i), capture.frames[i]);

@@ -50,6 +50,8 @@ struct Capture {
   std::uint32_t messagesLost = 0;
   trace::Trace trace;                          ///< empty unless the plan asked for passes
   std::vector<ReplacementAnswer> replacements; ///< one to each that was planned
+  std::vector<std::byte> tape; ///< as it was written, unchecked: replay/tape.hpp reads it
+  std::string tapeRefused;     ///< why there is none, in words that go on "the program ..."
 };
 
 /// Pixels to be put in place of what a pass of frame 0 leaves; Replacement (channel.hpp) says in

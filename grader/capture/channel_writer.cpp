@@ -1,5 +1,7 @@
 #include "capture/channel_writer.hpp"
 
+#include "capture/tape/writer.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
@@ -38,6 +40,8 @@ const char* faultOf(const trace::Request& request) {
   }
   if (request.copyFrames > channel::kMaxFrames) return "frames to copy out of range";
   if (request.copyBytes > channel::kMaxCopyBytes) return "room for copies out of range";
+  if (request.tapeFrames > channel::kMaxFrames) return "frames to tape out of range";
+  if (request.tapeBytes > channel::kMaxTapeBytes) return "room for a tape out of range";
   return nullptr;
 }
 
@@ -145,6 +149,9 @@ public:
     if (header_) header_->replacements[index] = static_cast<std::uint32_t>(answer);
   }
 
+  void tapeBytes(std::uint64_t bytes) { header_->tapeBytes = bytes; }
+  void tapeRefused(const char* what) { copyText(header_->tapeRefused, what); }
+
   void frame(const channel::FrameRecord& record, const std::uint8_t* pixels) {
     if (!header_ || frames_ >= plan_.frameCount) return;
     channel::FrameRecord stored = record;
@@ -210,6 +217,7 @@ Writer& writer() {
 [[gnu::constructor]] void openChannel() {
   writer();
   recordsPasses = plan() && plan()->trace.passes;
+  tape::isWanted = recordsPasses && plan()->trace.tapeFrames > 0;
 }
 
 } // namespace
@@ -226,6 +234,18 @@ trace::Tables* recordTables() {
 
 std::byte* recordCopies() {
   return recordsPasses ? writer().at<std::byte>(channel::copiesOffset(*plan())) : nullptr;
+}
+
+std::byte* tapeRoom() {
+  return writer().at<std::byte>(channel::tapeOffset(*plan()));
+}
+
+void writeTapeBytes(std::uint64_t bytes) {
+  writer().tapeBytes(bytes);
+}
+
+void writeTapeRefused(const char* what) {
+  writer().tapeRefused(what);
 }
 
 const std::byte* replacementPixels(const channel::Replacement& replacement) {

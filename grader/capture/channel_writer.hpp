@@ -22,6 +22,12 @@ extern bool recordsPasses;
 trace::Tables* recordTables();
 std::byte* recordCopies();
 
+/// The room for the tape, of `plan()->trace.tapeBytes` bytes. Only if a tape is asked for, as what
+/// follows: so many bytes of it are complete, or why there is none.
+std::byte* tapeRoom();
+void writeTapeBytes(std::uint64_t bytes);
+void writeTapeRefused(const char* what);
+
 /// The pixels of a replacement of `plan()`, row 0 at the bottom; aligned for any value.
 const std::byte* replacementPixels(const channel::Replacement& replacement);
 /// Says what has become of the plan's replacement of that index.

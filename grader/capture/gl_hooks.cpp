@@ -41,7 +41,7 @@ Table makeTable() {
   Table table;
   for (const std::span<const Hook> hooks :
        {glxHooks(), debugHooks(), errorHooks(), queryHooks(), windowBufferHooks(),
-        shaderTimeHooks(), imageHooks(), drawHooks()}) {
+        shaderTimeHooks(), imageHooks(), drawHooks(), tapeHooks()}) {
     for (const Hook& hook : hooks) {
       const auto earlier = table.find(hook.name);
       if (hook.setNext) {

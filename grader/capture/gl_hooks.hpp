@@ -60,6 +60,7 @@ std::span<const Hook> glxHooks();
 std::span<const Hook> imageHooks();
 std::span<const Hook> queryHooks();
 std::span<const Hook> shaderTimeHooks();
+std::span<const Hook> tapeHooks();
 std::span<const Hook> windowBufferHooks();
 
 // Hooks that are made from a function of our own, so that a list of names is all that a file of

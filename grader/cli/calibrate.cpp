@@ -5,6 +5,7 @@
 #include "calibration/diagnosis.hpp"
 #include "calibration/measure.hpp"
 #include "calibration/page.hpp"
+#include "calibration/replay.hpp"
 #include "calibration/tolerances.hpp"
 #include "calibration/trade.hpp"
 #include "calibration/verdicts.hpp"
@@ -31,7 +32,7 @@ struct CalibrateOptions {
   std::size_t generated = 0;
   std::uint64_t firstSeed = 1, seed = 1;
   bool haveFirstSeed = false, skipTrials = false, skipDiagnosis = false, json = false;
-  bool diagnosisOnly = false, trade = false, drift = false;
+  bool diagnosisOnly = false, trade = false, drift = false, replay = false;
 };
 
 /// The parts that an ID names, each a target of its own.
@@ -271,6 +272,39 @@ void trade(const CalibrateOptions& options) {
   publish(options, work, out, parts, "trade.json", pages, texts);
 }
 
+/// Every program of the catalogue, drawn again from its tape.
+void replay(const CalibrateOptions& options) {
+  const std::vector<Target> targets = partsOf(options.id);
+  const fs::path out = resultsFolder(options);
+  requireSandbox();
+  std::vector<calibration::PagePart> pages;
+  std::string texts, failures;
+  nlohmann::json parts = nlohmann::json::array();
+  for (const Target& target : targets) {
+    const fs::path solutions = solutionFolder(target.assignment.id);
+    const auto catalogue = grading::loadCatalogue(target.assignment, target.parts[0], solutions,
+                                                  catalogueFolder(options, solutions));
+    const auto programs =
+        calibration::programsOf(target.assignment, catalogue, solutions, options.only);
+    Progress progress("calibrating " + target.id);
+    const auto figures = calibration::measureReplay(target, solutions, programs, options.jobs,
+                                                    std::ref(progress));
+    progress.clear();
+    parts.push_back(calibration::toJson(figures));
+    pages.push_back(pageOf(target, {calibration::sectionOf(figures)}, "tapes"));
+    const calibration::Section& section = pages.back().sections[0];
+    texts += fmt::format("{}: {}\n", target.id, section.text);
+    for (const auto& row : section.rows) texts += fmt::format("  {}\n", fmt::join(row, " | "));
+    for (const calibration::Replayed& one : figures.all)
+      if (!one.difference.empty() && !one.refused)
+        failures += fmt::format("{} {}, {}: {}\n", target.id, one.program, one.scene,
+                                one.difference);
+  }
+  grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
+  publish(options, work, out, parts, "replay.json", pages, texts + '\n');
+  endWith("these are not drawn again as they were", failures);
+}
+
 /// Scores and diagnoses of programs that nobody has written.
 void generate(const CalibrateOptions& options) {
   const std::vector<Target> targets = partsOf(options.id);
@@ -368,6 +402,11 @@ void addCalibrate(CLI::App& app) {
                  "Measure nothing but how far scores move where EGL draws, or another processor's "
                  "instructions (one seed, unless --seeds says more)")
       ->excludes(diagnosis);
+  command
+      ->add_flag("--replay", options->replay,
+                 "Measure nothing but whether programs are drawn again, bit for bit, from tapes of "
+                 "what they drew")
+      ->excludes(diagnosis);
   auto* generated =
       command
           ->add_option("--generated", options->generated,
@@ -410,6 +449,8 @@ void addCalibrate(CLI::App& app) {
       adopt(*options);
     else if (generated->count() > 0)
       generate(*options);
+    else if (options->replay)
+      replay(*options);
     else if (options->trade)
       trade(*options);
     else if (options->drift)

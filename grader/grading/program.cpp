@@ -278,12 +278,19 @@ trace::Request gradingRequest() {
 Rendering renderScene(const std::string& id, const fs::path& folder, const nlohmann::json& scene,
                       const std::vector<double>& times, const ShaderCache& shaders,
                       Isolation isolation, const trace::Request& trace,
-                      const std::vector<channel::PassPixels>& replacements, bool doctor) {
+                      const std::vector<channel::PassPixels>& replacements, bool doctor,
+                      const std::vector<std::byte>& tape) {
   TemporaryFolder work;
   const fs::path sceneFolder = work.makeVisible("scene");
   {
     std::ofstream out(sceneFolder / "scene.json");
     if (!(out << scene.dump(2) << '\n') || !out.flush())
+      throw UsageError(fmt::format("can't write to {}: is the disk full?", sceneFolder.string()));
+    std::ofstream tapeOut;
+    if (!tape.empty()) tapeOut.open(sceneFolder / "tape", std::ios::binary);
+    if (!tape.empty() &&
+        (!tapeOut.write(reinterpret_cast<const char*>(tape.data()), std::streamsize(tape.size())) ||
+         !tapeOut.flush()))
       throw UsageError(fmt::format("can't write to {}: is the disk full?", sceneFolder.string()));
   }
   const Places at(isolation, folder, shaders.folder, sceneFolder);

@@ -65,13 +65,14 @@ trace::Request gradingRequest();
 
 /// Runs `folder`/`id` in `scene` for the given times. What `trace` asks for of the passes stands in
 /// the capture's trace; `replacements` are put in place of what passes leave. With `doctor` the
-/// framework says on stderr what it finds wrong with the first frame.
+/// framework says on stderr what it finds wrong with the first frame. `tape` lies beside the scene,
+/// for the player of tapes alone.
 Rendering renderScene(const std::string& id, const std::filesystem::path& folder,
                       const nlohmann::json& scene, const std::vector<double>& times,
                       const ShaderCache& shaders, sandbox::Isolation isolation,
                       const trace::Request& trace = {},
                       const std::vector<channel::PassPixels>& replacements = {},
-                      bool doctor = false);
+                      bool doctor = false, const std::vector<std::byte>& tape = {});
 
 /// Runs any GLFW program, trusted (not in the sandbox), with the caller's environment. A size of 0
 /// leaves the window as the program asks.

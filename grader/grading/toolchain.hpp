@@ -21,5 +21,7 @@ extern const char* const kProbe;
 extern const char* const kKitFolder;
 /// Holds the capture library under the four names that it replaces.
 extern const char* const kCaptureFolder;
+/// Holds `play`, which draws a tape again.
+extern const char* const kPlayerFolder;
 
 } // namespace ggrade::toolchain

@@ -21,7 +21,7 @@ namespace ggrade::trace {
 
 /// Of everything on this page: raise it with any change, so that recordings that were kept are made
 /// again.
-inline constexpr std::uint32_t kLayoutVersion = 2;
+inline constexpr std::uint32_t kLayoutVersion = 3;
 
 inline constexpr std::uint32_t kNone = 0xffffffff; ///< no such pass, layer, ...
 
@@ -181,8 +181,9 @@ struct Request {
   std::uint32_t stepCopies;         ///< 1: also after every step
   std::uint32_t copyFrames;         ///< copies are made in the first so many frames
   std::uint32_t times;              ///< 1: wait for GL at both ends of every pass and measure it
-  std::uint32_t reserved;
+  std::uint32_t tapeFrames;         ///< the first so many frames go on a tape (tape_format.hpp)
   std::uint64_t copyBytes; ///< room for copies; what doesn't fit is counted
+  std::uint64_t tapeBytes; ///< room for the tape; one that doesn't fit is refused
 };
 
 /// How much of each table is filled, and how much was lost because a table was full.

@@ -1,6 +1,8 @@
 #include "capture/channel_writer.hpp"
 #include "capture/glfw/library.hpp"
 #include "capture/recorder/recorder.hpp"
+#include "capture/tape/calls.hpp"
+#include "capture/tape/writer.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -38,6 +40,7 @@ channel::FrameRecord describeFrame(const GLFWwindow& window, bool reachable) {
 /// `reachable`: the window's context is current to this thread.
 void handOver(GLFWwindow& window, bool reachable) {
   channel::FrameRecord record = describeFrame(window, reachable);
+  if (tape::isWanted) tape::swap();
   if (recordsPasses) recorder::swap(record, reachable);
   if (reachable) {
     collectError(window.state);

@@ -4,6 +4,7 @@
 #include "capture/recorder/gl_calls.hpp"
 #include "capture/recorder/recorder.hpp"
 #include "capture/recorder/session.hpp"
+#include "capture/tape/objects.hpp"
 
 #include <span>
 
@@ -25,6 +26,7 @@ void recordUpload(Session& session, GLuint texture, GLint level) {
   if (!texture) return;
   endPassOf(session, ImageKind::texture, texture);
   session.shared().writers.forget(session.placeOf(texture), static_cast<std::uint32_t>(level));
+  tape::imageChanged(ImageKind::texture, texture);
 }
 
 Place renderbufferPlace(Session& session, GLuint renderbuffer) {
@@ -35,6 +37,7 @@ Place renderbufferPlace(Session& session, GLuint renderbuffer) {
 void recordRenderbuffer(Session& session, GLuint renderbuffer) {
   endPassOf(session, ImageKind::renderbuffer, renderbuffer);
   session.shared().writers.forget(renderbufferPlace(session, renderbuffer));
+  tape::imageChanged(ImageKind::renderbuffer, renderbuffer);
 }
 
 } // namespace
@@ -65,14 +68,17 @@ void texturesDeleted(GLsizei count, const GLuint* names) {
   for (const GLuint name : std::span(names, static_cast<std::size_t>(count))) {
     endPassOf(session, ImageKind::texture, name);
     session.shared().writers.forget(session.placeOf(name));
+    tape::imageDeleted(ImageKind::texture, name);
   }
 }
 
 void renderbuffersDeleted(GLsizei count, const GLuint* names) {
   Session session;
   if (!session || count <= 0 || !names) return;
-  for (const GLuint name : std::span(names, static_cast<std::size_t>(count)))
+  for (const GLuint name : std::span(names, static_cast<std::size_t>(count))) {
     recordRenderbuffer(session, name);
+    tape::imageDeleted(ImageKind::renderbuffer, name);
+  }
 }
 
 void programChanged(GLuint program) {

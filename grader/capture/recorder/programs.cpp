@@ -2,12 +2,15 @@
 
 #include "capture/recorder/gl_calls.hpp"
 #include "capture/recorder/images.hpp"
+#include "replay/gl_state.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <cstring>
 
 namespace ggrade::capture::recorder {
+using ggrade::tape::targetOfSampler;
+
 namespace {
 
 // Elements of arrays count; more are left out.
@@ -15,65 +18,6 @@ constexpr std::size_t kMaxSamplers = 64;
 constexpr std::size_t kMaxMatrices = 256;
 constexpr std::size_t kMaxImages = 16;
 constexpr GLint kMaxElements = 256;
-
-/// 0 for types that are no samplers.
-GLenum targetOfSampler(GLenum type) {
-  switch (type) {
-  case GL_SAMPLER_1D:
-  case GL_SAMPLER_1D_SHADOW:
-  case GL_INT_SAMPLER_1D:
-  case GL_UNSIGNED_INT_SAMPLER_1D:
-    return GL_TEXTURE_1D;
-  case GL_SAMPLER_2D:
-  case GL_SAMPLER_2D_SHADOW:
-  case GL_INT_SAMPLER_2D:
-  case GL_UNSIGNED_INT_SAMPLER_2D:
-    return GL_TEXTURE_2D;
-  case GL_SAMPLER_3D:
-  case GL_INT_SAMPLER_3D:
-  case GL_UNSIGNED_INT_SAMPLER_3D:
-    return GL_TEXTURE_3D;
-  case GL_SAMPLER_CUBE:
-  case GL_SAMPLER_CUBE_SHADOW:
-  case GL_INT_SAMPLER_CUBE:
-  case GL_UNSIGNED_INT_SAMPLER_CUBE:
-    return GL_TEXTURE_CUBE_MAP;
-  case GL_SAMPLER_2D_RECT:
-  case GL_SAMPLER_2D_RECT_SHADOW:
-  case GL_INT_SAMPLER_2D_RECT:
-  case GL_UNSIGNED_INT_SAMPLER_2D_RECT:
-    return GL_TEXTURE_RECTANGLE;
-  case GL_SAMPLER_1D_ARRAY:
-  case GL_SAMPLER_1D_ARRAY_SHADOW:
-  case GL_INT_SAMPLER_1D_ARRAY:
-  case GL_UNSIGNED_INT_SAMPLER_1D_ARRAY:
-    return GL_TEXTURE_1D_ARRAY;
-  case GL_SAMPLER_2D_ARRAY:
-  case GL_SAMPLER_2D_ARRAY_SHADOW:
-  case GL_INT_SAMPLER_2D_ARRAY:
-  case GL_UNSIGNED_INT_SAMPLER_2D_ARRAY:
-    return GL_TEXTURE_2D_ARRAY;
-  case GL_SAMPLER_CUBE_MAP_ARRAY:
-  case GL_SAMPLER_CUBE_MAP_ARRAY_SHADOW:
-  case GL_INT_SAMPLER_CUBE_MAP_ARRAY:
-  case GL_UNSIGNED_INT_SAMPLER_CUBE_MAP_ARRAY:
-    return GL_TEXTURE_CUBE_MAP_ARRAY;
-  case GL_SAMPLER_BUFFER:
-  case GL_INT_SAMPLER_BUFFER:
-  case GL_UNSIGNED_INT_SAMPLER_BUFFER:
-    return GL_TEXTURE_BUFFER;
-  case GL_SAMPLER_2D_MULTISAMPLE:
-  case GL_INT_SAMPLER_2D_MULTISAMPLE:
-  case GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE:
-    return GL_TEXTURE_2D_MULTISAMPLE;
-  case GL_SAMPLER_2D_MULTISAMPLE_ARRAY:
-  case GL_INT_SAMPLER_2D_MULTISAMPLE_ARRAY:
-  case GL_UNSIGNED_INT_SAMPLER_2D_MULTISAMPLE_ARRAY:
-    return GL_TEXTURE_2D_MULTISAMPLE_ARRAY;
-  default:
-    return 0;
-  }
-}
 
 bool isImage(GLenum type) {
   return type >= GL_IMAGE_1D && type <= GL_UNSIGNED_INT_IMAGE_2D_MULTISAMPLE_ARRAY;

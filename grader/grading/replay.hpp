@@ -1,0 +1,25 @@
+#pragma once
+/// \file
+/// Tapes: what a program drew, drawn again without the program (grader/replay).
+
+#include "grading/program.hpp"
+#include "replay/tape.hpp"
+
+namespace ggrade::grading {
+
+/// As gradingRequest, and the first `frames` frames go on a tape.
+trace::Request tapingRequest(std::uint32_t frames);
+
+/// Draws the tape again in the sandbox: as it is, or as each of these JSON patches (RFC 6902) of
+/// its commands has it, one after the other from the start, `frames` frames each.
+/// \param size of the window, pixels
+/// \param shaders an empty cache's folder or none
+Rendering play(const tape::Tape& tape, const std::vector<nlohmann::json>& patches,
+               const std::vector<std::uint32_t>& size, std::uint32_t frames,
+               const ShaderCache& shaders, const trace::Request& request);
+
+/// Where the second drew something else than the first, in words; empty: every frame, and every
+/// copy of every pass, is equal bit for bit.
+std::string differenceOf(const channel::Capture& drawn, const channel::Capture& played);
+
+} // namespace ggrade::grading
