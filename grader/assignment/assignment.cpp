@@ -48,6 +48,7 @@ ItemDeclaration readItem(const json& from) {
   item.step = from.at("step");
   item.beyondLecture = from.value("beyond_lecture", false);
   item.scenes = from.value("scenes", std::vector<std::string>{});
+  item.work = from.value("work", std::vector<std::string>());
   item.after = from.value("after", std::string());
   if (from.contains("output")) item.output = inWords(from.at("output"));
   return item;

@@ -37,6 +37,9 @@ struct ItemDeclaration {
   /// The item that judges the pass which this one builds on; empty: none. Where that one failed,
   /// this one is judged once more with the reference's output of the pass, and the better counts.
   std::string after;
+  /// What its work is, where that is not all of its step's: units as repair names them ("culling",
+  /// "block Light"). What an item names is nobody else's.
+  std::vector<std::string> work;
   /// What the item's pass leaves, in a word or two ("shadow map"); not empty where another item is
   /// after this one.
   std::string output;

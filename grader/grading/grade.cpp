@@ -223,6 +223,15 @@ void nameUnsteady(const Rendering& first, const Rendering& again, results::Resul
   if (result.outcome == Outcome::graded) result.detail = scene.name + ": " + unsteady;
 }
 
+/// One fault can have cost more than once: more than one item lost something.
+bool isWorthRepair(const results::Result& result) {
+  if (result.outcome != Outcome::graded) return false;
+  return std::ranges::count_if(result.items, [](const results::Item& item) {
+           return item.kind != results::ItemKind::bonus &&
+                  item.earned < (item.kind == results::ItemKind::keep ? 0 : item.points);
+         }) > 1;
+}
+
 } // namespace
 
 void addUp(results::Result& result) {
@@ -456,6 +465,12 @@ void Grader::judge(Graded& graded) {
   if (!problem.empty()) {
     result.outcome = Outcome::notGradable;
     result.detail = problem;
+  } else if (options_.repair && isWorthRepair(result)) {
+    const Stopwatch time(result, "repair");
+    options_.begins(Runs::hidden);
+    std::call_once(taped_, [&] { tapes_.emplace(target_, solutionFolder_, references()); });
+    result.causes = repairFaults(target_, *tapes_, theJudge(), graded, result.causesSought);
+    options_.begins(Runs::none);
   }
   addUp(result);
   result.scenes = scenes.get();

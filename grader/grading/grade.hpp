@@ -5,6 +5,7 @@
 #include "grading/diagnoser.hpp"
 #include "grading/judge.hpp"
 #include "grading/references.hpp"
+#include "grading/repair.hpp"
 #include "intake/find_uploads.hpp"
 #include "report/reveal.hpp"
 #include "results/results.hpp"
@@ -56,6 +57,7 @@ struct GraderOptions {
   /// Of the mistakes in the catalogue and the steps ("step.2") those that it looks for; nothing:
   /// all.
   std::optional<std::set<std::string>> suspects = {};
+  bool repair = true; ///< does each fault cost once, as far as it can be proved what it is?
   bool many = false; ///< is more than one submission to come?
   /// Called before runs of a kind begin, and with `none` when they are over; may wait until no run
   /// of the other kind goes on for another submission.
@@ -111,9 +113,10 @@ private:
   const std::filesystem::path solutionFolder_;
   const ScenePlan plan_;
   const GraderOptions options_;
-  std::once_flag prepared_, started_;
+  std::once_flag prepared_, started_, taped_;
   std::optional<References> references_;
   std::optional<Judge> judge_;
+  std::optional<OwnTapes> tapes_;
   ReferencePictures pictures_;
   std::mutex diagnosing_;
   std::map<std::string, Diagnoser> diagnosers_; ///< by part

@@ -112,6 +112,12 @@ Json extraData(const results::Result& result) {
                                  {"amount", sanitizeLine(diagnosis.amount)},
                                  {"scene", sanitizeLine(diagnosis.scene)},
                                  {"place", sanitizeLine(diagnosis.place)}});
+  for (const results::ProvedCause& cause : result.causes)
+    data["proved_causes"].push_back({{"pass", cause.pass},
+                                     {"unit", sanitizeLine(cause.unit)},
+                                     {"todo", sanitizeLine(cause.todo)}});
+  if (!result.causesSought.empty())
+    data["causes_sought"] = sanitizeLine(result.causesSought, 400);
   for (const results::Item& item : result.items) {
     Json credits = Json::object();
     for (const results::SceneCredit& one : item.credits)

@@ -131,6 +131,13 @@ struct Diagnosis {
   std::string id; ///< name in the catalogue, of the outcome or of the change; for the instructor
 };
 
+/// What was wrong, proved by drawing it again with the reference's in its place.
+struct ProvedCause {
+  std::size_t pass = 0; ///< the reference's, counted within a frame
+  std::string unit;     ///< "viewport", "uniform uLight", "function visibility in fragment"
+  std::string todo;     ///< whose work it is; empty: it was right before, and was spoiled
+};
+
 struct Timing {
   std::string what;
   double seconds = 0;
@@ -147,6 +154,8 @@ struct Result {
   double bonus = 0;
   double maxScore = 0;
   std::vector<Item> items;
+  std::vector<ProvedCause> causes;  ///< what each fault costs was counted by them
+  std::string causesSought; ///< why there are none although points were lost, for the instructor
   std::vector<Diagnosis> diagnoses; ///< at most one a part; none where nothing was lost
   std::vector<Scene> scenes;
   std::string compilerOutput;           ///< valid UTF-8, the student's file names

@@ -43,6 +43,8 @@ public:
         glfwSwapBuffers(window_);
         glfwPollEvents();
         --frames;
+      } else if (op == "group") {
+        play(command.at("commands"), -1);
       } else if (op == "image") {
         images_.define(command);
       } else if (op == "draw") {

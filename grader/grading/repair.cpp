@@ -1,0 +1,428 @@
+#include "grading/repair.hpp"
+
+#include "grading/grade.hpp"
+#include "grading/replay.hpp"
+#include "report/write_file.hpp"
+#include "rubric/rubric.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace ggrade::grading {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using repair::Unit;
+using results::ProvedCause;
+
+namespace {
+
+struct Probe { // DEBUG
+  const char* n; std::chrono::steady_clock::time_point t = std::chrono::steady_clock::now();
+  ~Probe() { if (std::getenv("RP")) fmt::print(stderr, "{} {:.2f}\n", n, std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count()); }
+};
+
+/// So much of what a scene can lose may be missing where it counts as right.
+constexpr double kRight = 0.02;
+constexpr double kRightPoints = 0.5;
+/// A submission that takes more is another program, not a fault.
+constexpr std::size_t kMostCauses = 6;
+constexpr std::size_t kMostTried = 40; ///< differences of one submission
+/// Variants that one run draws: so many frames fit a channel.
+constexpr std::size_t kVariantFrames = 48;
+/// What was right before and was spoiled costs so many points at most once that is proved.
+constexpr double kSpoiledPoints = 10;
+
+json joined(const json& a, const json& b) {
+  json both = a;
+  both.insert(both.end(), b.begin(), b.end());
+  return both;
+}
+
+/// The frames `first` to `first + count` of a run, as a run of its own. Copies of its first frame
+/// alone.
+channel::Capture partOf(const channel::Capture& all, std::size_t first, std::size_t count,
+                        const std::vector<double>& times) {
+  channel::Capture part;
+  part.frames.assign(all.frames.begin() + std::ptrdiff_t(first),
+                     all.frames.begin() + std::ptrdiff_t(first + count));
+  for (std::size_t i = 0; i < count; ++i) part.frames[i].time = times[i];
+  const trace::Trace& from = all.trace;
+  trace::Trace& to = part.trace;
+  const std::uint32_t begin = from.frames[first].firstPass;
+  const std::uint32_t end =
+      from.frames[first + count - 1].firstPass + from.frames[first + count - 1].passCount;
+  for (std::size_t i = 0; i < count; ++i) {
+    to.frames.push_back(from.frames[first + i]);
+    to.frames.back().firstPass -= begin;
+  }
+  to.matrices = from.matrices;
+  to.samples = from.samples;
+  for (trace::SampleRecord& sample : to.samples)
+    sample.writer = sample.writer == trace::kNone || sample.writer < begin || sample.writer >= end
+                        ? trace::kNone
+                        : sample.writer - begin;
+  to.steps = from.steps;
+  for (trace::StepRecord& step : to.steps) step.pass -= begin; // those of other passes aren't asked for
+  for (std::uint32_t p = begin; p < end; ++p) {
+    to.passes.push_back(from.passes[p]);
+    to.passes.back().frame -= std::uint32_t(first);
+  }
+  for (const trace::CopyRecord& copy : from.copies) {
+    if (copy.pass < begin || copy.pass >= end || to.passes[copy.pass - begin].frame != 0) continue;
+    trace::CopyRecord one = copy;
+    one.pass -= begin;
+    one.offset = to.pixels.size();
+    const auto bytes = std::span(from.pixels).subspan(copy.offset, copy.bytes);
+    to.pixels.insert(to.pixels.end(), bytes.begin(), bytes.end());
+    to.copies.push_back(one);
+  }
+  return part;
+}
+
+/// One scene of the submission with everything that is tried on it.
+struct TapedScene {
+  std::size_t index;
+  repair::Comparison comparison;
+};
+
+class Repairing {
+public:
+  Repairing(const Target& target, OwnTapes& own, Judge& judge, Graded& graded)
+      : target_(target), own_(own), judge_(judge), graded_(graded), items_(graded.result.items) {
+    for (const ItemDeclaration& declared : target.items()) declared_[declared.id] = declared;
+  }
+
+  std::vector<ProvedCause> run(std::string& why) {
+    const std::vector<std::size_t> lossy = lossyScenes();
+    if (lossy.empty()) return why = "nothing was lost", std::vector<ProvedCause>{};
+    if (!record(lossy.front(), why)) return {};
+    const std::vector<Unit> found = search(why);
+    if (found.empty()) return {};
+    for (const std::size_t scene : lossy)
+      if (scene != lossy.front() && !record(scene, why)) return {};
+    std::vector<ProvedCause> causes;
+    for (const Unit& unit : found) causes.push_back({unit.pass, unit.name, own_.ownerOf(unit)});
+    settle(causes);
+    return causes;
+  }
+
+private:
+  /// Points that items lost in a scene, were it the only one.
+  double lossIn(const std::vector<results::Item>& items, const std::string& scene) const {
+    double loss = 0;
+    for (const results::Item& item : items)
+      for (const results::SceneCredit& one : item.credits)
+        if (one.scene == scene) loss += item.points * (1 - one.credit);
+    return loss;
+  }
+
+  /// Scenes in which points were lost, the worst first.
+  std::vector<std::size_t> lossyScenes() const {
+    std::vector<std::pair<double, std::size_t>> found;
+    for (std::size_t i = 0; i < graded_.scenes.size(); ++i) {
+      const double loss = lossIn(items_, graded_.scenes[i].name);
+      if (loss <= 0) continue;
+      if (!graded_.scenes[i].rendering.happened.ok()) return {};
+      found.emplace_back(-loss, i);
+    }
+    std::ranges::sort(found);
+    std::vector<std::size_t> scenes;
+    for (const auto& [loss, scene] : found) scenes.push_back(scene);
+    return scenes;
+  }
+
+  bool record(std::size_t index, std::string& why) {
+    Probe pr{"record"};
+    const GradedScene& scene = graded_.scenes[index];
+    trace::Request request = tapingRequest(std::uint32_t(scene.times.size()));
+    const Rendering taped =
+        graded_.program->render(scene.scene, scene.times, graded_.shaders, request);
+    if (!taped.happened.ok()) return why = "it ends otherwise when it is recorded", false;
+    if (!taped.capture.tapeRefused.empty())
+      return why = "the program " + taped.capture.tapeRefused, false;
+    try {
+      scenes_.push_back({index, repair::compare(tape::read(taped.capture.tape), own_.reference(index))});
+      const channel::Capture again = play(scenes_.back(), {json::array()}).at(0);
+      channel::Capture first = taped.capture;
+      if (const std::string difference = differenceOf(first, again); !difference.empty())
+        return why = "it is not drawn again as it was: " + difference, false;
+    } catch (const json::exception& error) {
+      return why = error.what(), false;
+    } catch (const std::runtime_error& error) {
+      return why = error.what(), false;
+    }
+    return true;
+  }
+
+  /// The scene with each of these patches.
+  std::vector<channel::Capture> play(const TapedScene& scene, const std::vector<json>& patches) const {
+    Probe pr{"play"}; const GradedScene& graded = graded_.scenes[scene.index];
+    const std::size_t frames = graded.times.size();
+    const std::size_t each = std::max<std::size_t>(1, kVariantFrames / frames);
+    std::vector<channel::Capture> all;
+    for (std::size_t at = 0; at < patches.size(); at += each) {
+      const std::vector<json> some(patches.begin() + std::ptrdiff_t(at),
+                                   patches.begin() +
+                                       std::ptrdiff_t(std::min(at + each, patches.size())));
+      trace::Request request = gradingRequest();
+      request.copyFrames = channel::kMaxFrames;
+      request.copyBytes = std::uint64_t{1} << 30;
+      const Rendering played = grading::play(scene.comparison.tape, some,
+                                             graded.scene.at("size").get<std::vector<std::uint32_t>>(),
+                                             std::uint32_t(frames), graded_.shaders, request);
+      const std::size_t whole = played.capture.frames.size() / frames;
+      for (std::size_t i = 0; i < some.size(); ++i)
+        all.push_back(i < whole ? partOf(played.capture, i * frames, frames, graded.times)
+                                : channel::Capture());
+    }
+    return all;
+  }
+
+  /// What the rubric says of the scenes as drawn here; `drawn` is one to each of `scenes_`, or only
+  /// of the first ones.
+  std::vector<results::Item> judge(const std::vector<channel::Capture>& drawn) {
+    Probe pr{"judge"}; TemporaryFolder work;
+    std::vector<fs::path> students(graded_.scenes.size());
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+      if (drawn[i].frames.empty()) return {};
+      const fs::path folder = work.path() / fmt::format("repaired-{}", i);
+      fs::create_directories(folder);
+      trace::save(drawn[i].trace, folder);
+      rubric::writeFrames(folder, rawFrames(drawn[i]));
+      students[scenes_[i].index] = folder;
+    }
+    std::string problem;
+    std::vector<results::Item> items = judge_.judge({students}, work.path(), problem);
+    return problem.empty() ? items : std::vector<results::Item>{};
+  }
+
+  static json patchOf(const TapedScene& scene, const std::vector<Unit>& units) {
+    json patch = json::array();
+    for (const repair::Difference& one : scene.comparison.differences)
+      if (std::ranges::find(units, one.unit) != units.end()) patch = joined(patch, one.patch);
+    return patch;
+  }
+
+  /// What the worst scene loses with each of these sets repaired; -1 where it can't be drawn.
+  std::vector<double> losses(const std::vector<std::vector<Unit>>& sets) {
+    const TapedScene& worst = scenes_.front();
+    std::vector<json> patches;
+    for (const auto& set : sets) patches.push_back(patchOf(worst, set));
+    std::vector<double> all;
+    for (const channel::Capture& drawn : play(worst, patches)) {
+      const auto items = drawn.frames.empty() ? std::vector<results::Item>{} : judge({drawn});
+      all.push_back(items.empty() ? -1 : lossIn(items, graded_.scenes[worst.index].name));
+    }
+    return all;
+  }
+
+  /// The first set with which the worst scene is right; nothing: with none.
+  std::optional<std::vector<Unit>> firstRight(const std::vector<std::vector<Unit>>& sets) {
+    if (sets.empty()) return std::nullopt;
+    const std::vector<double> left = losses(sets);
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      if (left[i] >= 0 && left[i] <= std::max(kRight * lost_, kRightPoints)) return sets[i];
+    return std::nullopt;
+  }
+
+  /// The smallest set that makes the worst scene right: one unit, narrow before wide; else what
+  /// remains of a pass's units, or of all, when those that aren't needed are left out one by one.
+  std::vector<Unit> search(std::string& why) {
+    const TapedScene& worst = scenes_.front();
+    lost_ = lossIn(items_, graded_.scenes[worst.index].name);
+    std::vector<std::vector<Unit>> singles, passes;
+    std::map<std::size_t, std::vector<Unit>> byPass;
+    std::vector<Unit> all;
+    for (const repair::Difference& one : worst.comparison.differences) {
+      if (all.size() == kMostTried) break;
+      all.push_back(one.unit);
+      singles.push_back({one.unit});
+      byPass[one.unit.pass].push_back(one.unit);
+    }
+    if (const auto found = firstRight(singles)) return *found;
+    for (const auto& [pass, units] : byPass)
+      if (units.size() > 1) passes.push_back(units);
+    if (byPass.size() > 1) passes.push_back(all);
+    auto found = firstRight(passes);
+    if (!found) {
+      why = fmt::format("the passes' {} differences don't explain it", all.size());
+      return {};
+    }
+    for (std::size_t i = found->size(); i-- > 0;) {
+      std::vector<Unit> fewer = *found;
+      fewer.erase(fewer.begin() + std::ptrdiff_t(i));
+      if (!fewer.empty() && firstRight({fewer})) *found = fewer;
+    }
+    if (found->size() > kMostCauses) {
+      why = fmt::format("it takes {} changes to make it right", found->size());
+      return {};
+    }
+    return *found;
+  }
+
+  /// Each item keeps the better of what it had and what it has when all causes are repaired but
+  /// those that are its own work.
+  void settle(const std::vector<ProvedCause>& causes) {
+    std::map<std::vector<Unit>, std::vector<std::string>> variants; // what is repaired: for whom
+    for (const results::Item& item : items_) {
+      std::vector<Unit> repaired;
+      for (const ProvedCause& cause : causes)
+        if (!isWorkOf(cause, item)) repaired.push_back({cause.pass, cause.unit});
+      if (!repaired.empty()) variants[repaired].push_back(item.id);
+    }
+    std::vector<std::vector<channel::Capture>> drawn(variants.size());
+    for (const TapedScene& scene : scenes_) {
+      std::vector<json> patches;
+      for (const auto& [repaired, ids] : variants) patches.push_back(patchOf(scene, repaired));
+      auto captures = play(scene, patches);
+      for (std::size_t i = 0; i < captures.size(); ++i) drawn[i].push_back(std::move(captures[i]));
+    }
+    std::size_t i = 0;
+    for (const auto& [repaired, ids] : variants)
+      for (const results::Item& again : judge(drawn[i++]))
+        if (std::ranges::find(ids, again.id) != ids.end()) keepBetter(again, causes);
+    double spoiled = 0;
+    for (const results::Item& item : items_)
+      if (item.kind == results::ItemKind::keep) spoiled -= item.earned;
+    for (results::Item& item : items_)
+      if (item.kind == results::ItemKind::keep && spoiled > kSpoiledPoints)
+        item.earned *= kSpoiledPoints / spoiled;
+  }
+
+  /// Items say what their work is; else it is the step's that they stand for. What was right from
+  /// the start is the work of those that keep it.
+  bool isWorkOf(const ProvedCause& cause, const results::Item& item) const {
+    if (cause.todo.empty()) return item.kind == results::ItemKind::keep;
+    if (item.kind == results::ItemKind::keep) return false;
+    const bool isNamed = std::ranges::any_of(
+        declared_, [&](const auto& one) { return names(one.second, cause.unit); });
+    const ItemDeclaration& declared = declared_.at(item.id);
+    return isNamed ? names(declared, cause.unit) : declared.step == cause.todo;
+  }
+
+  static bool names(const ItemDeclaration& declared, const std::string& unit) {
+    return std::ranges::find(declared.work, unit) != declared.work.end();
+  }
+
+  void keepBetter(const results::Item& again, const std::vector<ProvedCause>& causes) {
+    const auto item = std::ranges::find(items_, again.id, &results::Item::id);
+    if (item == items_.end() || !again.judged) return;
+    const double before = item->earned;
+    for (std::size_t i = 0; i < again.credits.size(); ++i)
+      for (std::size_t k = 0; k < item->credits.size(); ++k)
+        if (item->credits[k].scene == again.credits[i].scene && isTaped(again.credits[i].scene) &&
+            item->credits[k].credit < again.credits[i].credit) {
+          item->credits[k].credit = again.credits[i].credit;
+          item->messages[k] = again.messages[i];
+        }
+    item->earned = rubric::pointsOf(item->kind, item->points,
+                                    results::creditOf(item->kind, item->credits));
+    if (item->earned <= before) {
+      item->earned = before;
+      return;
+    }
+    if (item->earned >= (item->kind == results::ItemKind::keep ? 0 : item->points))
+      item->cause = item->step = "";
+    item->carried.clear();
+    for (const ProvedCause& cause : causes) item->carried.push_back(cause.unit);
+  }
+
+  bool isTaped(const std::string& scene) const {
+    return std::ranges::any_of(scenes_, [&](const TapedScene& one) {
+      return graded_.scenes[one.index].name == scene;
+    });
+  }
+
+  const Target& target_;
+  OwnTapes& own_;
+  Judge& judge_;
+  Graded& graded_;
+  std::vector<results::Item>& items_;
+  std::map<std::string, ItemDeclaration> declared_;
+  std::vector<TapedScene> scenes_; ///< the worst one first
+  double lost_ = 0;                ///< in it
+};
+
+} // namespace
+
+OwnTapes::OwnTapes(const Target& target, fs::path solutionFolder, const References& references)
+    : target_(target), solutionFolder_(std::move(solutionFolder)), references_(references) {}
+
+tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& scene,
+                            const ShaderCache& shaders) {
+  Program program(target_.assignment, recipe);
+  const Rendering taped = program.render(scene.scene, scene.times, shaders,
+                                         tapingRequest(std::uint32_t(scene.times.size())));
+  if (!taped.happened.ok() || !taped.capture.tapeRefused.empty())
+    throw std::runtime_error("our own program has no tape: " + taped.happened.detail +
+                             taped.capture.tapeRefused);
+  return tape::read(taped.capture.tape);
+}
+
+const tape::Tape& OwnTapes::reference(std::size_t scene) {
+  Probe pr{"refTape"}; const std::lock_guard lock(mutex_);
+  const auto found = reference_.find(scene);
+  if (found != reference_.end()) return found->second;
+  return reference_
+      .emplace(scene, record({solutionFolder_}, references_.scenes.at(scene), references_.ownShaders))
+      .first->second;
+}
+
+void OwnTapes::learnOwners() {
+  const rubric::SceneFolders& scene = references_.scenes.at(0);
+  const fs::path file =
+      cacheFolder() / "owners" /
+      hashOf(referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
+  if (fs::exists(file)) {
+    for (const json& one : readJson(file)) {
+      Step step{one.at("todo"), {}};
+      for (const json& unit : one.at("right")) step.right.insert({unit.at(0), unit.at(1)});
+      steps_.push_back(std::move(step));
+    }
+    return;
+  }
+  const tape::Tape& right = reference(0);
+  std::set<std::string> filled;
+  const auto add = [&](const std::string& todo) {
+    const repair::Comparison comparison = repair::compare(
+        record({solutionFolder_, {}, filled}, scene, references_.ownShaders), right);
+    Step step{todo, comparison.compared};
+    for (const repair::Difference& one : comparison.differences) step.right.erase(one.unit);
+    steps_.push_back(std::move(step));
+  };
+  add("");
+  for (const Part& part : target_.parts)
+    for (const auto& todo : part.todos) {
+      filled.insert(todo.id);
+      add(todo.id);
+    }
+  json kept = json::array();
+  for (const Step& step : steps_) {
+    kept.push_back({{"todo", step.todo}, {"right", json::array()}});
+    for (const Unit& unit : step.right) kept.back()["right"].push_back({unit.pass, unit.name});
+  }
+  TemporaryFolder work(file.parent_path());
+  report::writeFile(work.path() / "owners", kept.dump());
+  keep(work.path() / "owners", file);
+}
+
+std::string OwnTapes::ownerOf(const Unit& unit) {
+  const std::lock_guard lock(owners_);
+  if (steps_.empty()) learnOwners();
+  std::string owner;
+  for (std::size_t i = 1; i < steps_.size(); ++i)
+    if (steps_[i].right.contains(unit) && !steps_[i - 1].right.contains(unit))
+      owner = steps_[i].todo;
+  return owner;
+}
+
+std::vector<results::ProvedCause> repairFaults(const Target& target, OwnTapes& own, Judge& judge, Graded& graded,
+                                std::string& why) {
+  return Repairing(target, own, judge, graded).run(why);
+}
+
+} // namespace ggrade::grading

@@ -1,0 +1,36 @@
+#pragma once
+/// \file
+/// Which command of one tape does what which command of another does: passes by what they draw
+/// into, draws by what they draw.
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace ggrade::repair {
+
+/// Commands that draw into the same images, one after the other; or one that moves pixels.
+struct Pass {
+  std::size_t frame = 0;
+  std::size_t ordinal = 0;           ///< within the frame
+  std::vector<std::size_t> commands; ///< indices, of draws and clears in their order
+};
+
+/// The passes of a tape's commands, in order.
+std::vector<Pass> passesOf(const nlohmann::json& commands);
+
+struct CommandPair {
+  std::optional<std::size_t> one, other; ///< indices; nothing: the other tape alone has it
+};
+
+struct PassPair {
+  Pass one, other;
+  std::vector<CommandPair> commands; ///< in the order in which they come
+};
+
+/// Passes that do the same in both tapes, in order.
+std::vector<PassPair> align(const nlohmann::json& one, const nlohmann::json& other);
+
+} // namespace ggrade::repair

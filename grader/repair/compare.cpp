@@ -1,0 +1,288 @@
+#include "repair/compare.hpp"
+
+#include "repair/align.hpp"
+#include "repair/glsl.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <set>
+
+namespace ggrade::repair {
+
+using nlohmann::json;
+
+namespace {
+
+/// The reference's images are numbered from here on, unless they are the submission's.
+constexpr std::uint64_t kReferenceImages = 1'000'000;
+
+std::string textOf(const std::vector<std::byte>& bytes) {
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
+
+std::string pointer(std::initializer_list<std::string> keys) {
+  json::json_pointer path;
+  for (const std::string& key : keys) path.push_back(key);
+  return path.to_string();
+}
+
+/// Calls `visit` with every value of this key, wherever it stands.
+void forEach(json& value, const std::string& key, const std::function<void(json&)>& visit) {
+  if (value.is_object()) {
+    for (auto& [name, one] : value.items()) {
+      if (name == key && one.is_number()) visit(one);
+      forEach(one, key, visit);
+    }
+  } else if (value.is_array()) {
+    for (json& one : value) forEach(one, key, visit);
+  }
+}
+
+class Comparing {
+public:
+  Comparing(const tape::Tape& submission, const tape::Tape& reference) {
+    result_.tape.blobs = submission.blobs;
+    reference_ = reference.commands;
+    mergeBlobs(reference);
+    json& commands = result_.tape.commands;
+    const json& own = submission.commands;
+    commands.push_back(own.at(0));
+    // Every image of the reference can be named by a patch.
+    for (json& command : reference_) {
+      if (command.at("op") == "image") command["id"] = command["id"].get<std::uint64_t>() + kReferenceImages;
+      forEach(command, "image", [](json& id) { id = id.get<std::uint64_t>() + kReferenceImages; });
+    }
+    std::set<json> defined;
+    for (const json& command : reference_)
+      if (command.at("op") == "image" && defined.insert(command["id"]).second)
+        commands.push_back(command);
+    commands.insert(commands.end(), own.begin() + 1, own.end());
+  }
+
+  Comparison run() {
+    pairs_ = align(result_.tape.commands, reference_);
+    mapImages();
+    for (const PassPair& pair : pairs_) comparePass(pair);
+    for (auto& [unit, patch] : found_) result_.differences.push_back({unit, std::move(patch)});
+    std::ranges::stable_sort(result_.differences, {}, [](const Difference& one) {
+      const std::string& name = one.unit.name;
+      return name.starts_with("shader") ? 2 : name == "draws" ? 3 : name == "target" ? 1 : 0;
+    });
+    return std::move(result_);
+  }
+
+private:
+  void mergeBlobs(const tape::Tape& reference) {
+    std::map<std::vector<std::byte>, std::uint64_t> known;
+    for (std::size_t i = 0; i < result_.tape.blobs.size(); ++i)
+      known.emplace(result_.tape.blobs[i], i);
+    std::vector<std::uint64_t> number;
+    for (const auto& bytes : reference.blobs) {
+      const auto [at, isNew] = known.emplace(bytes, result_.tape.blobs.size());
+      if (isNew) result_.tape.blobs.push_back(bytes);
+      number.push_back(at->second);
+    }
+    for (json& command : reference_)
+      forEach(command, "blob", [&](json& one) { one = number.at(one.get<std::size_t>()); });
+  }
+
+  /// Images are the same that are attached at the same point of passes that do the same, or hold
+  /// the same texels from the start.
+  void mapImages() {
+    std::map<std::uint64_t, std::uint64_t> same; // the reference's: the submission's
+    json& commands = result_.tape.commands;
+    for (const PassPair& pair : pairs_) {
+      const json &a = commands[pair.one.commands[0]], &b = reference_[pair.other.commands[0]];
+      if (!a.contains("target") || !b.contains("target") || a["target"].contains("window")) continue;
+      for (const auto& [point, one] : b["target"].at("attachments").items())
+        if (const json& own = a["target"].at("attachments"); own.contains(point))
+          same.try_emplace(one.at("image"), own[point].at("image"));
+    }
+    const auto definition = [](json command) {
+      command.erase("id");
+      return command;
+    };
+    for (const json& theirs : reference_) {
+      if (theirs.at("op") != "image" || same.contains(theirs.at("id"))) continue;
+      for (const json& own : commands)
+        if (own.at("op") == "image" && own.at("id").get<std::uint64_t>() < kReferenceImages &&
+            definition(own) == definition(theirs)) {
+          same.try_emplace(theirs.at("id"), own.at("id"));
+          break;
+        }
+    }
+    for (json& command : reference_)
+      if (command.at("op") != "image")
+        forEach(command, "image", [&](json& id) {
+          if (const auto found = same.find(id); found != same.end()) id = found->second;
+        });
+    same_ = std::move(same);
+  }
+
+  void patch(const PassPair& pair, const std::string& unit, const std::string& path,
+             const json& value) {
+    result_.compared.insert({pair.other.ordinal, unit});
+    const json* at = nullptr;
+    const json::json_pointer where(path);
+    if (result_.tape.commands.contains(where)) at = &result_.tape.commands.at(where);
+    if (at && *at == value) return;
+    json& patch = found_.try_emplace({pair.other.ordinal, unit}, json::array()).first->second;
+    patch.push_back({{"op", at ? "replace" : "add"}, {"path", path}, {"value", value}});
+  }
+
+  void compareState(const PassPair& pair, std::size_t i, const json& theirs) {
+    for (const auto& [key, value] : theirs.at("state").items()) {
+      std::string unit = key;
+      if (key.starts_with("stencil")) unit = "stencil";
+      if (key.starts_with("polygonOffset")) unit = "polygonOffset";
+      if (key.starts_with("depth") && key != "depthClamp") unit = "depth";
+      if (key == "cull" || key == "cullFace") unit = "culling";
+      if (key == "scissor" || key == "scissorTest") unit = "scissor";
+      patch(pair, unit, pointer({std::to_string(i), "state", key}), value);
+    }
+  }
+
+  /// What a pass draws into: which images at which points, and how these are made.
+  void compareTarget(const PassPair& pair, std::size_t i, const json& theirs) {
+    patch(pair, "target", pointer({std::to_string(i), "target"}), theirs.at("target"));
+    if (theirs["target"].contains("window")) return;
+    for (const auto& [point, one] : theirs["target"].at("attachments").items())
+      compareImage(pair, one.at("image"));
+  }
+
+  void compareImage(const PassPair& pair, const json& own) {
+    const auto theirs = std::ranges::find_if(same_, [&](const auto& one) { return own == one.second; });
+    if (theirs == same_.end()) return;
+    const json* wanted = nullptr;
+    for (const json& command : reference_)
+      if (command.at("op") == "image" && command.at("id") == theirs->first) wanted = &command;
+    json& commands = result_.tape.commands;
+    for (std::size_t i = 0; wanted && i < commands.size(); ++i) {
+      if (commands[i].at("op") != "image" || commands[i].at("id") != own) continue;
+      json value = *wanted;
+      value["id"] = own;
+      if (withoutData(commands[i]) != withoutData(value))
+        patch(pair, "target", pointer({std::to_string(i)}), value);
+    }
+  }
+
+  static json withoutData(json image) {
+    if (image.contains("levels"))
+      for (json& level : image["levels"]) level.erase("data");
+    image.erase("immutable");
+    return image;
+  }
+
+  void compareProgram(const PassPair& pair, std::size_t i, const json& own, const json& theirs) {
+    const std::string at = std::to_string(i);
+    const json &stages = own.at("program").at("stages"), &wanted = theirs.at("program").at("stages");
+    if (stages.size() != wanted.size()) return;
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      if (stages[k].at("stage") != wanted[k].at("stage")) return;
+      const std::size_t a = stages[k].at("blob"), b = wanted[k].at("blob");
+      const std::string stage = wanted[k].at("stage");
+      result_.compared.insert({pair.other.ordinal, "shader " + stage});
+      const std::string source = textOf(result_.tape.blobs.at(a)),
+                        right = textOf(result_.tape.blobs.at(b));
+      const auto functions = functionsOf(source), rightOnes = functionsOf(right);
+      const std::string path = pointer({at, "program", "stages", std::to_string(k), "blob"});
+      bool differs = restOf(source) != restOf(right) || functions.size() != rightOnes.size();
+      for (const auto& [name, function] : rightOnes) {
+        const auto found = functions.find(name);
+        if (found == functions.end()) continue;
+        result_.compared.insert({pair.other.ordinal, "function " + name + " in " + stage});
+        if (found->second.words == function.words) continue;
+        differs = true;
+        std::string changed = source;
+        changed.replace(found->second.begin, found->second.end - found->second.begin,
+                        right.substr(function.begin, function.end - function.begin));
+        patch(pair, "function " + name + " in " + stage, path, blobOf(changed));
+      }
+      if (!differs) continue;
+      const std::string unit = "shader " + stage;
+      patch(pair, unit, path, b);
+      for (const char* key : {"uniforms", "textures", "blocks"})
+        for (const auto& [name, value] : theirs.at(key).items())
+          if (!own.at(key).contains(name)) patch(pair, unit, pointer({at, key, name}), value);
+    }
+  }
+
+  std::uint64_t blobOf(const std::string& text) {
+    const auto [found, isNew] = made_.try_emplace(text, result_.tape.blobs.size());
+    if (isNew) {
+      const auto bytes = std::as_bytes(std::span(text));
+      result_.tape.blobs.emplace_back(bytes.begin(), bytes.end());
+    }
+    return found->second;
+  }
+
+  void compareDraw(const PassPair& pair, std::size_t i, const json& theirs) {
+    const json own = result_.tape.commands[i]; // patches are looked up in the commands as they are
+    const std::string at = std::to_string(i);
+    compareProgram(pair, i, own, theirs);
+    for (const auto& [name, value] : theirs.at("uniforms").items())
+      if (own.at("uniforms").contains(name))
+        patch(pair, "uniform " + name, pointer({at, "uniforms", name}), value);
+    for (const auto& [name, value] : theirs.at("blocks").items())
+      if (own.at("blocks").contains(name))
+        patch(pair, "block " + name, pointer({at, "blocks", name}), value);
+    for (const auto& [name, value] : theirs.at("textures").items())
+      if (own.at("textures").contains(name))
+        patch(pair, "texture " + name, pointer({at, "textures", name}), value);
+    for (const auto& [name, value] : theirs.at("attributes").items())
+      if (own.at("attributes").contains(name))
+        patch(pair, "attribute " + name, pointer({at, "attributes", name}), value);
+  }
+
+  void compareClear(const PassPair& pair, std::size_t i, const json& theirs) {
+    for (const auto& [key, value] : theirs.items())
+      if (key != "state" && key != "target" && key != "op")
+        patch(pair, "clear", pointer({std::to_string(i), key}), value);
+  }
+
+  void comparePass(const PassPair& pair) {
+    json group = json::array(); // everything that the reference draws in this pass
+    bool differs = false;
+    for (const CommandPair& both : pair.commands) {
+      if (both.other) group.push_back(reference_[*both.other]);
+      if (!both.one || !both.other) {
+        differs = true;
+        continue;
+      }
+      const json& theirs = reference_[*both.other];
+      const std::size_t i = *both.one;
+      if (theirs.contains("target")) compareTarget(pair, i, theirs);
+      if (theirs.contains("state") && theirs["state"].contains("viewport"))
+        compareState(pair, i, theirs);
+      if (theirs.at("op") == "draw")
+        compareDraw(pair, i, theirs);
+      else
+        compareClear(pair, i, theirs);
+    }
+    result_.compared.insert({pair.other.ordinal, "draws"});
+    if (!differs) return;
+    bool isFirst = true;
+    for (const CommandPair& both : pair.commands) {
+      if (!both.one) continue;
+      patch(pair, "draws", pointer({std::to_string(*both.one)}),
+            {{"op", "group"}, {"commands", isFirst ? group : json::array()}});
+      isFirst = false;
+    }
+  }
+
+  Comparison result_;
+  json reference_;
+  std::vector<PassPair> pairs_;
+  std::map<std::uint64_t, std::uint64_t> same_;
+  std::map<Unit, json> found_;
+  std::map<std::string, std::uint64_t> made_;
+};
+
+} // namespace
+
+Comparison compare(const tape::Tape& submission, const tape::Tape& reference) {
+  return Comparing(submission, reference).run();
+}
+
+} // namespace ggrade::repair

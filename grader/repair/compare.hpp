@@ -1,0 +1,35 @@
+#pragma once
+/// \file
+/// What a submission's tape and the reference's differ in, as *units*: one thing of one pass, such
+/// as its viewport, a uniform, a function of a shader, what a sampler reads. Each with the patch
+/// that puts the reference's in its place.
+
+#include "replay/tape.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace ggrade::repair {
+
+struct Unit {
+  std::size_t pass = 0; ///< the reference's pass, counted within a frame
+  std::string name;     ///< "viewport", "uniform uLight", "function visibility in fragment"
+  auto operator<=>(const Unit&) const = default;
+};
+
+struct Difference {
+  Unit unit;
+  nlohmann::json patch = nlohmann::json::array(); ///< RFC 6902, of Comparison::tape's commands
+};
+
+struct Comparison {
+  tape::Tape tape; ///< the submission's, with blobs and images that patches name
+  std::vector<Difference> differences; ///< narrow ones first
+  std::set<Unit> compared; ///< units that both have, different or not
+};
+
+/// Throws nlohmann::json::exception for a tape that isn't made as tapes are.
+Comparison compare(const tape::Tape& submission, const tape::Tape& reference);
+
+} // namespace ggrade::repair

@@ -1,0 +1,101 @@
+#include "repair/glsl.hpp"
+
+#include <cctype>
+
+namespace ggrade::repair {
+
+namespace {
+
+/// Comments become spaces, so that places stay.
+std::string withoutComments(std::string text) {
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    if (text[i] != '/') continue;
+    std::size_t end = i;
+    if (text[i + 1] == '/')
+      end = std::min(text.find('\n', i), text.size());
+    else if (text[i + 1] == '*')
+      end = text.find("*/", i + 2) == text.npos ? text.size() : text.find("*/", i + 2) + 2;
+    for (; i < end; ++i)
+      if (text[i] != '\n') text[i] = ' ';
+  }
+  return text;
+}
+
+std::string wordsOf(const std::string& text) {
+  std::string words;
+  const auto isName = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  bool space = false;
+  for (const char c : text) {
+    if (std::isspace(static_cast<unsigned char>(c))) {
+      space = true;
+      continue;
+    }
+    if (space && !words.empty() && isName(words.back()) && isName(c)) words += ' ';
+    space = false;
+    words += c;
+  }
+  return words;
+}
+
+/// The closing bracket to the one at `open`, or the end.
+std::size_t closing(const std::string& text, std::size_t open, char opens, char closes) {
+  int depth = 0;
+  for (std::size_t i = open; i < text.size(); ++i) {
+    if (text[i] == opens) ++depth;
+    if (text[i] == closes && --depth == 0) return i;
+  }
+  return text.size();
+}
+
+/// Where the declaration begins that ends at `end`.
+std::size_t declarationStart(const std::string& text, std::size_t end) {
+  std::size_t start = text.find_last_of(";}\n", end == 0 ? 0 : end - 1);
+  start = start == text.npos ? 0 : start + 1;
+  while (start < end && std::isspace(static_cast<unsigned char>(text[start]))) ++start;
+  return start;
+}
+
+} // namespace
+
+std::map<std::string, GlslFunction> functionsOf(const std::string& source) {
+  std::map<std::string, GlslFunction> functions;
+  const std::string text = withoutComments(source);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '{') { // a block or struct at the outermost level
+      i = closing(text, i, '{', '}');
+      continue;
+    }
+    if (text[i] != '(') continue;
+    const std::size_t end = closing(text, i, '(', ')');
+    const std::size_t body = text.find_first_not_of(" \t\r\n", end + 1);
+    if (body == text.npos || text[body] != '{') {
+      i = end;
+      continue;
+    }
+    std::size_t nameEnd = i;
+    while (nameEnd > 0 && std::isspace(static_cast<unsigned char>(text[nameEnd - 1]))) --nameEnd;
+    std::size_t nameStart = nameEnd;
+    while (nameStart > 0 && (std::isalnum(static_cast<unsigned char>(text[nameStart - 1])) ||
+                             text[nameStart - 1] == '_'))
+      --nameStart;
+    GlslFunction function;
+    function.begin = declarationStart(text, nameStart);
+    function.end = std::min(closing(text, body, '{', '}') + 1, text.size());
+    function.words = wordsOf(text.substr(function.begin, function.end - function.begin));
+    const std::string name = text.substr(nameStart, nameEnd - nameStart);
+    std::string key = name;
+    for (int k = 2; functions.contains(key); ++k) key = name + ' ' + std::to_string(k);
+    i = function.end - 1;
+    functions.emplace(key, std::move(function));
+  }
+  return functions;
+}
+
+std::string restOf(const std::string& source) {
+  std::string text = withoutComments(source);
+  for (const auto& [name, function] : functionsOf(source))
+    for (std::size_t i = function.begin; i < function.end; ++i) text[i] = ' ';
+  return wordsOf(text);
+}
+
+} // namespace ggrade::repair
