@@ -1,5 +1,6 @@
 #include "grading/diagnose.hpp"
 
+#include "diagnosis/proved.hpp"
 #include "report/summary.hpp"
 #include "report/text.hpp"
 #include "words/words.hpp"
@@ -104,11 +105,26 @@ Diagnosis inWords(const Cause& cause, const Graded& graded, const Part& part,
   return words;
 }
 
+/// What was proved is surer than a change of the picture, and stands beside a mistake that is known.
+void addProved(const results::Result& result, const Part& part, const Cause& cause,
+               Diagnosis& words) {
+  const std::string proved = diagnosis::sentenceOf(result.causes);
+  if (!cause.id.empty() && !cause.generic && !cause.id.starts_with("step.")) {
+    words.beside.push_back(proved);
+    return;
+  }
+  words.id = "proved";
+  words.confidence = 1;
+  words.text = proved;
+  if (result.causes[0].todos.size() == 1)
+    words.step = stepHeading(part, *result.causes[0].todos.begin());
+}
+
 } // namespace
 
-std::vector<std::string> lostItems(const results::Result& result, const Part& part) {
+std::vector<std::string> lostItems(const std::vector<results::Item>& items, const Part& part) {
   std::vector<std::string> lost;
-  for (const results::Item& item : result.items)
+  for (const results::Item& item : items)
     if (item.id.starts_with(part.id + '.') && item.judged &&
         item.kind != results::ItemKind::bonus && report::lost(item) > 1e-6)
       lost.push_back(item.id);
@@ -128,7 +144,7 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
     return observed ? std::vector{*observed} : std::vector<Diagnosis>{};
   std::vector<Diagnosis> all;
   for (const Part& part : target.parts) {
-    const std::vector<std::string> lost = lostItems(result, part);
+    const std::vector<std::string> lost = lostItems(graded.asDrawn, part);
     if (lost.empty()) continue;
     // Seen, not concluded: no picture can be surer. That OpenGL reports errors says little.
     if (observed && observed->id != results::name(results::Outcome::glError)) {
@@ -145,6 +161,7 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
       words.text = observed->text;
       words.confidence = observed->confidence;
     }
+    if (!result.causes.empty()) addProved(result, part, cause, words);
     const auto beside =
         observed ? observed->beside : diagnosis::tellingWarnings(result.compilerOutput);
     words.beside.insert(words.beside.end(), beside.begin(), beside.end());

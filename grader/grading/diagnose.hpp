@@ -7,7 +7,7 @@
 namespace ggrade::grading {
 
 /// The items of a part that lost points, without the bonus.
-std::vector<std::string> lostItems(const results::Result& result, const Part& part);
+std::vector<std::string> lostItems(const std::vector<results::Item>& items, const Part& part);
 
 /// What lies in a submission's folders of frames and passes, by scene.
 Shown shown(std::vector<std::filesystem::path> folders);

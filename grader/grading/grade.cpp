@@ -234,6 +234,11 @@ bool isWorthRepair(const results::Result& result) {
 
 } // namespace
 
+bool& repairs() {
+  static bool on = false;
+  return on;
+}
+
 void addUp(results::Result& result) {
   double sum = 0, bonus = 0;
   for (const results::Item& item : result.items)
@@ -462,6 +467,7 @@ void Grader::judge(Graded& graded) {
     options_.begins(Runs::none);
     if (runs == 0) result.timings.pop_back();
   }
+  graded.asDrawn = result.items;
   if (!problem.empty()) {
     result.outcome = Outcome::notGradable;
     result.detail = problem;

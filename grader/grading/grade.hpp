@@ -36,6 +36,7 @@ struct Graded {
   std::vector<GradedScene> scenes; ///< the public one first; none where it wasn't built
   std::optional<Rendering> again;  ///< the public scene's second run
   diagnosis::Facts facts;          ///< of the first scene
+  std::vector<results::Item> asDrawn; ///< the items before each fault was made to count once
   ShaderCache shaders;             ///< what the program has compiled
   std::unique_ptr<TemporaryFolder> work;
 
@@ -47,6 +48,10 @@ struct Graded {
 /// pictures reach the student; hidden ones see hidden scenes.
 enum class Runs { none, told, hidden };
 
+/// Whether gradings of this process find out what was wrong and let it cost once (repair.hpp):
+/// scores depend on it.
+bool& repairs();
+
 struct GraderOptions {
   std::vector<std::string> judgeArguments = {}; ///< GoogleTest's
   bool pictures = true; ///< false for who wants scores only: the result has items but no scenes
@@ -57,7 +62,7 @@ struct GraderOptions {
   /// Of the mistakes in the catalogue and the steps ("step.2") those that it looks for; nothing:
   /// all.
   std::optional<std::set<std::string>> suspects = {};
-  bool repair = true; ///< does each fault cost once, as far as it can be proved what it is?
+  bool repair = repairs();
   bool many = false; ///< is more than one submission to come?
   /// Called before runs of a kind begin, and with `none` when they are over; may wait until no run
   /// of the other kind goes on for another submission.

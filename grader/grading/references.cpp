@@ -1,5 +1,6 @@
 #include "grading/references.hpp"
 
+#include "grading/grade.hpp"
 #include "grading/judge.hpp"
 #include "report/picture.hpp"
 #include "report/write_file.hpp"
@@ -103,7 +104,7 @@ std::string gradingKey(const Target& target, const fs::path& solutionFolder,
   static const std::string tool =
       hashOf(readFile("/proc/self/exe")) + hashOf(readFile(judgeProgram()));
   return tool + target.id + readJson(target.assignment.folder / "assignment.json").dump() +
-         referenceKey(target, solutionFolder) + describe(plan);
+         referenceKey(target, solutionFolder) + describe(plan) + (repairs() ? " repairs" : "");
 }
 
 std::string wordsKey(const Assignment& assignment, const fs::path& solutionFolder) {

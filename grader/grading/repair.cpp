@@ -1,5 +1,6 @@
 #include "grading/repair.hpp"
 
+#include "diagnosis/proved.hpp"
 #include "grading/grade.hpp"
 #include "grading/replay.hpp"
 #include "report/write_file.hpp"
@@ -8,7 +9,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace ggrade::grading {
@@ -20,17 +20,14 @@ using results::ProvedCause;
 
 namespace {
 
-struct Probe { // DEBUG
-  const char* n; std::chrono::steady_clock::time_point t = std::chrono::steady_clock::now();
-  ~Probe() { if (std::getenv("RP")) fmt::print(stderr, "{} {:.2f}\n", n, std::chrono::duration<double>(std::chrono::steady_clock::now() - t).count()); }
-};
-
 /// So much of what a scene can lose may be missing where it counts as right.
 constexpr double kRight = 0.02;
 constexpr double kRightPoints = 0.5;
 /// A submission that takes more is another program, not a fault.
 constexpr std::size_t kMostCauses = 6;
 constexpr std::size_t kMostTried = 40; ///< differences of one submission
+/// So many are left out one by one to see which are needed; each is a run.
+constexpr std::size_t kMostLeftOut = 16;
 /// Variants that one run draws: so many frames fit a channel.
 constexpr std::size_t kVariantFrames = 48;
 /// What was right before and was spoiled costs so many points at most once that is proved.
@@ -105,7 +102,7 @@ public:
     for (const std::size_t scene : lossy)
       if (scene != lossy.front() && !record(scene, why)) return {};
     std::vector<ProvedCause> causes;
-    for (const Unit& unit : found) causes.push_back({unit.pass, unit.name, own_.ownerOf(unit)});
+    for (const Unit& unit : found) causes.push_back({unit.pass, unit.name, own_.ownersOf(unit)});
     settle(causes);
     return causes;
   }
@@ -136,7 +133,6 @@ private:
   }
 
   bool record(std::size_t index, std::string& why) {
-    Probe pr{"record"};
     const GradedScene& scene = graded_.scenes[index];
     trace::Request request = tapingRequest(std::uint32_t(scene.times.size()));
     const Rendering taped =
@@ -144,23 +140,16 @@ private:
     if (!taped.happened.ok()) return why = "it ends otherwise when it is recorded", false;
     if (!taped.capture.tapeRefused.empty())
       return why = "the program " + taped.capture.tapeRefused, false;
-    try {
-      scenes_.push_back({index, repair::compare(tape::read(taped.capture.tape), own_.reference(index))});
-      const channel::Capture again = play(scenes_.back(), {json::array()}).at(0);
-      channel::Capture first = taped.capture;
-      if (const std::string difference = differenceOf(first, again); !difference.empty())
-        return why = "it is not drawn again as it was: " + difference, false;
-    } catch (const json::exception& error) {
-      return why = error.what(), false;
-    } catch (const std::runtime_error& error) {
-      return why = error.what(), false;
-    }
+    scenes_.push_back({index, repair::compare(tape::read(taped.capture.tape), own_.reference(index))});
+    const channel::Capture again = play(scenes_.back(), {json::array()}).at(0);
+    if (const std::string difference = differenceOf(taped.capture, again); !difference.empty())
+      return why = "it is not drawn again as it was: " + difference, false;
     return true;
   }
 
   /// The scene with each of these patches.
   std::vector<channel::Capture> play(const TapedScene& scene, const std::vector<json>& patches) const {
-    Probe pr{"play"}; const GradedScene& graded = graded_.scenes[scene.index];
+const GradedScene& graded = graded_.scenes[scene.index];
     const std::size_t frames = graded.times.size();
     const std::size_t each = std::max<std::size_t>(1, kVariantFrames / frames);
     std::vector<channel::Capture> all;
@@ -185,7 +174,7 @@ private:
   /// What the rubric says of the scenes as drawn here; `drawn` is one to each of `scenes_`, or only
   /// of the first ones.
   std::vector<results::Item> judge(const std::vector<channel::Capture>& drawn) {
-    Probe pr{"judge"}; TemporaryFolder work;
+TemporaryFolder work;
     std::vector<fs::path> students(graded_.scenes.size());
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       if (drawn[i].frames.empty()) return {};
@@ -248,7 +237,7 @@ private:
       if (units.size() > 1) passes.push_back(units);
     if (byPass.size() > 1) passes.push_back(all);
     auto found = firstRight(passes);
-    if (!found) {
+    if (!found || found->size() > kMostLeftOut) {
       why = fmt::format("the passes' {} differences don't explain it", all.size());
       return {};
     }
@@ -274,6 +263,7 @@ private:
         if (!isWorkOf(cause, item)) repaired.push_back({cause.pass, cause.unit});
       if (!repaired.empty()) variants[repaired].push_back(item.id);
     }
+    const std::vector<results::Item> before = items_;
     std::vector<std::vector<channel::Capture>> drawn(variants.size());
     for (const TapedScene& scene : scenes_) {
       std::vector<json> patches;
@@ -285,6 +275,7 @@ private:
     for (const auto& [repaired, ids] : variants)
       for (const results::Item& again : judge(drawn[i++]))
         if (std::ranges::find(ids, again.id) != ids.end()) keepBetter(again, causes);
+    chargeOnce(before);
     double spoiled = 0;
     for (const results::Item& item : items_)
       if (item.kind == results::ItemKind::keep) spoiled -= item.earned;
@@ -293,15 +284,29 @@ private:
         item.earned *= kSpoiledPoints / spoiled;
   }
 
+  /// A fault is never free: where none of those whose work it is lost anything, the item that lost
+  /// the largest share keeps its loss.
+  void chargeOnce(const std::vector<results::Item>& before) {
+    const auto share = [](const results::Item& item) {
+      const double lost = item.kind == results::ItemKind::keep ? -item.earned
+                                                               : item.points - item.earned;
+      return item.kind == results::ItemKind::bonus ? 0 : lost / item.points;
+    };
+    if (std::ranges::any_of(items_, [&](const results::Item& item) { return share(item) > 0.05; }))
+      return;
+    const auto worst = std::ranges::max_element(before, {}, share);
+    items_[std::size_t(worst - before.begin())] = *worst;
+  }
+
   /// Items say what their work is; else it is the step's that they stand for. What was right from
   /// the start is the work of those that keep it.
   bool isWorkOf(const ProvedCause& cause, const results::Item& item) const {
-    if (cause.todo.empty()) return item.kind == results::ItemKind::keep;
+    if (cause.todos.empty()) return item.kind == results::ItemKind::keep;
     if (item.kind == results::ItemKind::keep) return false;
     const bool isNamed = std::ranges::any_of(
         declared_, [&](const auto& one) { return names(one.second, cause.unit); });
     const ItemDeclaration& declared = declared_.at(item.id);
-    return isNamed ? names(declared, cause.unit) : declared.step == cause.todo;
+    return isNamed ? names(declared, cause.unit) : cause.todos.contains(declared.step);
   }
 
   static bool names(const ItemDeclaration& declared, const std::string& unit) {
@@ -327,8 +332,9 @@ private:
     }
     if (item->earned >= (item->kind == results::ItemKind::keep ? 0 : item->points))
       item->cause = item->step = "";
-    item->carried.clear();
-    for (const ProvedCause& cause : causes) item->carried.push_back(cause.unit);
+    item->repaired.clear();
+    for (const ProvedCause& cause : causes)
+      if (!isWorkOf(cause, *item)) item->repaired.push_back(diagnosis::nameOf(cause));
   }
 
   bool isTaped(const std::string& scene) const {
@@ -364,7 +370,7 @@ tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& sc
 }
 
 const tape::Tape& OwnTapes::reference(std::size_t scene) {
-  Probe pr{"refTape"}; const std::lock_guard lock(mutex_);
+const std::lock_guard lock(mutex_);
   const auto found = reference_.find(scene);
   if (found != reference_.end()) return found->second;
   return reference_
@@ -373,56 +379,63 @@ const tape::Tape& OwnTapes::reference(std::size_t scene) {
 }
 
 void OwnTapes::learnOwners() {
+  learned_ = true;
   const rubric::SceneFolders& scene = references_.scenes.at(0);
   const fs::path file =
       cacheFolder() / "owners" /
       hashOf(referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
   if (fs::exists(file)) {
-    for (const json& one : readJson(file)) {
-      Step step{one.at("todo"), {}};
-      for (const json& unit : one.at("right")) step.right.insert({unit.at(0), unit.at(1)});
-      steps_.push_back(std::move(step));
-    }
+    for (const json& one : readJson(file))
+      changedBy_[{one.at("pass"), one.at("unit")}] = one.at("todos").get<std::set<std::string>>();
     return;
   }
   const tape::Tape& right = reference(0);
   std::set<std::string> filled;
-  const auto add = [&](const std::string& todo) {
-    const repair::Comparison comparison = repair::compare(
-        record({solutionFolder_, {}, filled}, scene, references_.ownShaders), right);
-    Step step{todo, comparison.compared};
-    for (const repair::Difference& one : comparison.differences) step.right.erase(one.unit);
-    steps_.push_back(std::move(step));
-  };
-  add("");
+  tape::Tape before = record({solutionFolder_, {}, filled}, scene, references_.ownShaders);
   for (const Part& part : target_.parts)
     for (const auto& todo : part.todos) {
       filled.insert(todo.id);
-      add(todo.id);
+      tape::Tape after = record({solutionFolder_, {}, filled}, scene, references_.ownShaders);
+      const repair::Comparison step = repair::compare(before, after);
+      const auto inReference = repair::compare(after, right).passes;
+      const auto changed = [&](const Unit& unit) {
+        if (const auto pass = inReference.find(unit.pass); pass != inReference.end())
+          changedBy_[{pass->second, unit.name}].insert(todo.id);
+      };
+      for (const repair::Difference& one : step.differences) changed(one.unit);
+      // What the step draws that was not there before is its work, whole.
+      for (const Unit& unit : repair::compare(after, after).compared)
+        if (!step.compared.contains(unit)) changed(unit);
+      before = std::move(after);
     }
   json kept = json::array();
-  for (const Step& step : steps_) {
-    kept.push_back({{"todo", step.todo}, {"right", json::array()}});
-    for (const Unit& unit : step.right) kept.back()["right"].push_back({unit.pass, unit.name});
-  }
+  for (const auto& [unit, todos] : changedBy_)
+    kept.push_back({{"pass", unit.pass}, {"unit", unit.name}, {"todos", todos}});
   TemporaryFolder work(file.parent_path());
   report::writeFile(work.path() / "owners", kept.dump());
   keep(work.path() / "owners", file);
 }
 
-std::string OwnTapes::ownerOf(const Unit& unit) {
+std::set<std::string> OwnTapes::ownersOf(const Unit& unit) {
   const std::lock_guard lock(owners_);
-  if (steps_.empty()) learnOwners();
-  std::string owner;
-  for (std::size_t i = 1; i < steps_.size(); ++i)
-    if (steps_[i].right.contains(unit) && !steps_[i - 1].right.contains(unit))
-      owner = steps_[i].todo;
-  return owner;
+  if (!learned_) learnOwners();
+  const auto found = changedBy_.find(unit);
+  return found == changedBy_.end() ? std::set<std::string>{} : found->second;
 }
 
-std::vector<results::ProvedCause> repairFaults(const Target& target, OwnTapes& own, Judge& judge, Graded& graded,
-                                std::string& why) {
-  return Repairing(target, own, judge, graded).run(why);
+std::vector<results::ProvedCause> repairFaults(const Target& target, OwnTapes& own, Judge& judge,
+                                               Graded& graded, std::string& why) {
+  const std::vector<results::Item> before = graded.result.items;
+  try {
+    return Repairing(target, own, judge, graded).run(why);
+  } catch (const UsageError&) {
+    throw; // a full disk is nobody's fault of these
+  } catch (const std::exception& error) {
+    // A tape is a claim, and may be anything: the rubric's word stands.
+    graded.result.items = before;
+    why = error.what();
+    return {};
+  }
 }
 
 } // namespace ggrade::grading

@@ -26,9 +26,9 @@ public:
   /// The reference's, in a scene of the plan.
   const tape::Tape& reference(std::size_t scene);
 
-  /// The TODO whose work a unit is: the step of the handout from which on it is right. Empty: it is
-  /// right from the start.
-  std::string ownerOf(const repair::Unit& unit);
+  /// The TODOs whose work a unit is: the steps of the handout that change it. None: it is right
+  /// from the start, and no step changes it.
+  std::set<std::string> ownersOf(const repair::Unit& unit);
 
 private:
   tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene,
@@ -40,12 +40,8 @@ private:
   const References& references_;
   std::mutex mutex_, owners_;
   std::map<std::size_t, tape::Tape> reference_;
-  /// The program after so many steps: which units are right.
-  struct Step {
-    std::string todo; ///< of the step that was done last; empty: the handed-out program
-    std::set<repair::Unit> right;
-  };
-  std::vector<Step> steps_;
+  std::map<repair::Unit, std::set<std::string>> changedBy_; ///< TODOs
+  bool learned_ = false;
 };
 
 /// Finds the causes and gives back what they cost more than once. Nothing: no set of causes makes

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <stdexcept>
 #include <string>
 
 namespace ggrade::repair {
@@ -20,9 +21,13 @@ bool movesPixels(const json& command) {
   return op == "blit" || op == "copy" || op == "copyImage" || op == "mipmap";
 }
 
+/// Longer rows than this are not compared: the table has this many squared.
+constexpr std::size_t kLongest = 2000;
+
 /// The longest common subsequence of 0 to a-1 and 0 to b-1, as pairs.
 std::vector<std::pair<std::size_t, std::size_t>>
 common(std::size_t a, std::size_t b, const std::function<bool(std::size_t, std::size_t)>& alike) {
+  if (a > kLongest || b > kLongest) throw std::runtime_error("it draws too often to be compared");
   std::vector<std::vector<std::size_t>> length(a + 1, std::vector<std::size_t>(b + 1, 0));
   for (std::size_t i = a; i-- > 0;)
     for (std::size_t k = b; k-- > 0;)
@@ -40,8 +45,9 @@ common(std::size_t a, std::size_t b, const std::function<bool(std::size_t, std::
   return pairs;
 }
 
-/// What a draw draws, whatever it draws it with.
+/// What a draw draws, whatever it draws it with; of other commands what they are.
 json meshOf(const json& draw) {
+  if (draw.at("op") != "draw") return draw.at("op");
   json mesh = {draw.at("mode"), draw.at("calls"), draw.at("instances")};
   json blobs = json::array();
   for (const auto& [name, columns] : draw.at("attributes").items())
@@ -53,9 +59,10 @@ json meshOf(const json& draw) {
   return mesh;
 }
 
-bool alikeCommands(const json& a, const json& b) {
-  if (a.at("op") != b.at("op")) return false;
-  return a.at("op") != "draw" || meshOf(a) == meshOf(b);
+std::vector<json> meshesOf(const json& commands, const Pass& pass) {
+  std::vector<json> meshes;
+  for (const std::size_t i : pass.commands) meshes.push_back(meshOf(commands[i]));
+  return meshes;
 }
 
 /// Passes are alike that draw into the window, or into attachments of the same points.
@@ -114,8 +121,9 @@ std::vector<PassPair> align(const json& one, const json& other) {
     PassPair pair{a[i], b[k], {}};
     const auto &from = a[i].commands, &to = b[k].commands;
     std::size_t x = 0, y = 0;
+    const std::vector<json> meshes = meshesOf(one, a[i]), others = meshesOf(other, b[k]);
     const auto same = common(from.size(), to.size(), [&](std::size_t p, std::size_t q) {
-      return alikeCommands(one[from[p]], other[to[q]]);
+      return meshes[p] == others[q];
     });
     const auto alone = [&](std::size_t endX, std::size_t endY) {
       for (; x < endX; ++x) pair.commands.push_back({from[x], {}});

@@ -64,6 +64,8 @@ public:
     pairs_ = align(result_.tape.commands, reference_);
     mapImages();
     for (const PassPair& pair : pairs_) comparePass(pair);
+    for (const PassPair& pair : pairs_)
+      if (pair.other.frame == 0) result_.passes[pair.one.ordinal] = pair.other.ordinal;
     for (auto& [unit, patch] : found_) result_.differences.push_back({unit, std::move(patch)});
     std::ranges::stable_sort(result_.differences, {}, [](const Difference& one) {
       const std::string& name = one.unit.name;

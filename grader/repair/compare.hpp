@@ -6,6 +6,7 @@
 
 #include "replay/tape.hpp"
 
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,6 +28,7 @@ struct Comparison {
   tape::Tape tape; ///< the submission's, with blobs and images that patches name
   std::vector<Difference> differences; ///< narrow ones first
   std::set<Unit> compared; ///< units that both have, different or not
+  std::map<std::size_t, std::size_t> passes; ///< of the submission's first frame: the reference's
 };
 
 /// Throws nlohmann::json::exception for a tape that isn't made as tapes are.

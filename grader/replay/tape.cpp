@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 12;
 /// Values of all commands together.
-constexpr std::size_t kMaxValues = 8'000'000;
+constexpr std::size_t kMaxValues = 1'000'000;
 
 /// Builds a value, and stops where it is nested too deep or too large.
 class Limited : public nlohmann::detail::json_sax_dom_parser<json> {

@@ -115,7 +115,7 @@ Json extraData(const results::Result& result) {
   for (const results::ProvedCause& cause : result.causes)
     data["proved_causes"].push_back({{"pass", cause.pass},
                                      {"unit", sanitizeLine(cause.unit)},
-                                     {"todo", sanitizeLine(cause.todo)}});
+                                     {"todos", cause.todos}});
   if (!result.causesSought.empty())
     data["causes_sought"] = sanitizeLine(result.causesSought, 400);
   for (const results::Item& item : result.items) {

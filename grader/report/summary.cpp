@@ -59,14 +59,23 @@ std::string headline(const results::Result& result) {
   return say("{} of {} items lost points.", incomplete, total);
 }
 
-std::string carriedText(const results::Item& item) {
-  if (item.carried.empty()) return "";
-  std::string list = sanitizeLine(item.carried[0]);
-  for (std::size_t i = 1; i < item.carried.size(); ++i) {
-    const std::string next = sanitizeLine(item.carried[i]);
-    list = i + 1 < item.carried.size() ? say("{}, {}", list, next) : say("{} and {}", list, next);
+namespace {
+
+std::string listOf(const std::vector<std::string>& all) {
+  std::string list = sanitizeLine(all[0]);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    const std::string next = sanitizeLine(all[i]);
+    list = i + 1 < all.size() ? say("{}, {}", list, next) : say("{} and {}", list, next);
   }
-  return say("Judged with the reference's {} in place of yours.", list);
+  return list;
+}
+
+} // namespace
+
+std::string carriedText(const results::Item& item) {
+  if (!item.repaired.empty()) return say("Judged as if this were right: {}.", listOf(item.repaired));
+  if (item.carried.empty()) return "";
+  return say("Judged with the reference's {} in place of yours.", listOf(item.carried));
 }
 
 std::string whatIsWrong(const results::Diagnosis& diagnosis) {

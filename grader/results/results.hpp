@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -88,6 +89,7 @@ struct Item {
   /// What the reference's was put in place of ("reflection"), where the item earned more by that;
   /// else empty.
   std::vector<std::string> carried;
+  std::vector<std::string> repaired; ///< likewise of proved causes ("the viewport")
 };
 
 /// One frame as a person compares it. Images are RGBA, 0 to 1, and may be empty (no frame came).
@@ -135,7 +137,7 @@ struct Diagnosis {
 struct ProvedCause {
   std::size_t pass = 0; ///< the reference's, counted within a frame
   std::string unit;     ///< "viewport", "uniform uLight", "function visibility in fragment"
-  std::string todo;     ///< whose work it is; empty: it was right before, and was spoiled
+  std::set<std::string> todos; ///< whose work it is; none: it was right before, and was spoiled
 };
 
 struct Timing {

@@ -121,7 +121,7 @@ private:
     const auto quiet = [](const auto&, auto, auto) {};
     grading::Diagnoser diagnoser(target_, part_, solutionFolder_, grader.references(), quiet);
     const grading::Shown shown = grading::shown(graded.students());
-    const std::vector<std::string> lost = grading::lostItems(result, part_);
+    const std::vector<std::string> lost = grading::lostItems(result.items, part_);
     if (!report::scored(result.outcome) || lost.empty()) return;
     for (const bool leftOut : {false, true}) {
       const std::set<std::string> without =

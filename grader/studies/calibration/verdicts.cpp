@@ -1,5 +1,7 @@
 #include "calibration/verdicts.hpp"
 
+#include "grading/grade.hpp"
+
 #include "report/text.hpp"
 
 #include <fmt/format.h>
@@ -90,17 +92,20 @@ private:
     const ItemDeclaration& named = *item(program.fails);
     const double loss = lost(score, named);
     const auto message = score.messages.find(named.id);
-    const double share = named.kind == results::ItemKind::keep ? kKeepLoss : kItemLoss;
-    result.require(loss, share * named.points,
+    const bool keep = named.kind == results::ItemKind::keep;
+    const double share = keep ? kKeepLoss : kItemLoss;
+    if (!keep || !grading::repairs())
+      result.require(loss, share * named.points,
                    fmt::format("{} loses {} of {} points; {}% of them must go{}", named.id,
                                number(loss), number(named.points), number(100 * share),
                                message == score.messages.end() ? "" : ": " + message->second));
     if (named.beyondLecture || named.kind == results::ItemKind::bonus) return;
     const double cost = full_ - score.score;
-    result.require(cost, kRequiredCost,
+    const double least = grading::repairs() ? kOnceCost : kRequiredCost;
+    result.require(cost, least,
                    fmt::format("it costs {} points in all; a mistake in a required item costs at "
                                "least {}",
-                               number(cost), number(kRequiredCost)));
+                               number(cost), number(least)));
   }
 
   void checkPair(const KnownAnswer& program, const Score& score, Check& result) const {

@@ -18,6 +18,9 @@ inline constexpr double kRightScore = 98; ///< of 100: a right answer has at lea
 inline constexpr double kSpread = 1;      ///< points that a right answer's score may move by seed
 inline constexpr double kKeepLoss = 0.6;  ///< share of the named keep item that a mistake loses
 inline constexpr double kItemLoss = kKeepLoss / 2; ///< and of any other
+/// Where each fault counts once, what was spoiled costs so much in all, however many items saw it,
+/// and no mistake in a required item less: that is the least that a step is worth.
+inline constexpr double kOnceCost = 4;
 inline constexpr double kRequiredCost = 7.5; ///< points that a mistake in a required item costs
 
 /// One program over all seeds.

@@ -1,0 +1,72 @@
+#include "diagnosis/proved.hpp"
+
+#include "report/text.hpp"
+#include "words/words.hpp"
+
+namespace ggrade::diagnosis {
+
+using gg::say;
+
+namespace {
+
+/// What stands after the word, if the unit begins with it.
+bool takes(const std::string& unit, const std::string& word, std::string& rest) {
+  if (!unit.starts_with(word + ' ')) return false;
+  rest = report::sanitizeLine(unit.substr(word.size() + 1), 80);
+  return true;
+}
+
+std::string shaderOf(const std::string& stage) {
+  return stage == "vertex" ? say("the vertex shader") : say("the fragment shader");
+}
+
+} // namespace
+
+std::string nameOf(const results::ProvedCause& cause) {
+  const std::string& unit = cause.unit;
+  std::string rest;
+  if (takes(unit, "uniform", rest)) return say("the uniform {}", rest);
+  if (takes(unit, "block", rest)) return say("what the uniform block {} holds", rest);
+  if (takes(unit, "texture", rest)) return say("what the sampler {} reads", rest);
+  if (takes(unit, "attribute", rest)) return say("the vertices' {}", rest);
+  if (takes(unit, "shader", rest)) return shaderOf(rest);
+  if (takes(unit, "function", rest)) {
+    const std::size_t in = rest.rfind(" in ");
+    return say("{}() in {}", rest.substr(0, in), shaderOf(rest.substr(in + 4)));
+  }
+  if (unit == "viewport") return say("the viewport");
+  if (unit == "culling" || unit == "frontFace") return say("which faces are culled");
+  if (unit == "clear") return say("what is cleared, and to what");
+  if (unit == "depth") return say("the depth test");
+  if (unit == "stencil") return say("the stencil test");
+  if (unit == "blend" || unit == "blendColor") return say("the blending");
+  if (unit == "colorMask") return say("the colour mask");
+  if (unit == "scissor") return say("the scissor test");
+  if (unit == "polygonOffset") return say("the polygon offset");
+  if (unit == "target") return say("the images that are drawn into");
+  if (unit == "draws") return say("what is drawn");
+  return unit.starts_with("clipDistance") ? say("the clipping") : say("OpenGL's state {}", unit);
+}
+
+std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
+  std::string list = nameOf(causes[0]);
+  for (std::size_t i = 1; i < causes.size(); ++i)
+    list = i + 1 < causes.size() ? say("{}, {}", list, nameOf(causes[i]))
+                                 : say("{} and {}", list, nameOf(causes[i]));
+  std::size_t pass = causes[0].pass;
+  for (const results::ProvedCause& cause : causes)
+    if (cause.pass != pass) pass = std::size_t(-1);
+  std::string text =
+      pass == std::size_t(-1)
+          ? say("Proved by drawing it again: with other values in this place, all is right: {}.",
+                list)
+          : say("Proved by drawing it again: with other values in this place of pass {}, all is "
+                "right: {}.",
+                pass + 1, list);
+  if (causes[0].todos.empty())
+    text += ' ' + say("The handed-out program has it right: a call of yours changes it, and doesn't "
+                      "put it back.");
+  return text;
+}
+
+} // namespace ggrade::diagnosis
