@@ -10,9 +10,9 @@
 ///
 /// Layout: Header; trace::Tables if passes are recorded; `plan.frameCount` slots of
 /// `plan.slotBytes` bytes, each holding one frame as width x height x 4 bytes RGBA, row 0 at the
-/// bottom (as OpenGL has it); `plan.trace.copyBytes` bytes of copies; `plan.trace.tapeBytes` bytes of
-/// tape (replay/tape_format.hpp); `plan.replacementBytes` bytes of pixels that the judging side has
-/// written. Each starts at a page.
+/// bottom (as OpenGL has it); `plan.trace.copyBytes` bytes of copies; `plan.trace.tapeBytes` bytes
+/// of tape (replay/tape_format.hpp); `plan.replacementBytes` bytes of pixels that the judging side
+/// has written. Each starts at a page.
 
 #include "trace/records.hpp"
 

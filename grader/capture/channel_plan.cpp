@@ -39,7 +39,8 @@ void requirePossible(const trace::Request& trace) {
   require(trace.copyBytes <= kMaxCopyBytes, "there is room for 2 GiB of copies at most");
   require(trace.tapeFrames <= kMaxFrames, "64 frames at most are taped");
   require(trace.tapeBytes <= kMaxTapeBytes, "there is room for 1 GiB of tape at most");
-  require((trace.tapeFrames == 0) == (trace.tapeBytes == 0), "a tape has frames and room, or neither");
+  require((trace.tapeFrames == 0) == (trace.tapeBytes == 0),
+          "a tape has frames and room, or neither");
   require(trace.passes != 0 || (trace.copies == 0 && trace.copyBytes == 0 && trace.times == 0 &&
                                 trace.tapeFrames == 0),
           "nothing is recorded of passes without the passes");

@@ -24,53 +24,58 @@ void tapeOne(GLenum mode, const Vertices& run, GLsizei instances = 1, GLuint bas
 constexpr auto tapedArrays = [](GLenum mode, GLint first, GLsizei count) {
   tapeOne(mode, {first, count});
 };
-constexpr auto tapedArraysInstanced = [](GLenum mode, GLint first, GLsizei count, GLsizei instances) {
+constexpr auto tapedArraysInstanced = [](GLenum mode, GLint first, GLsizei count,
+                                         GLsizei instances) {
   tapeOne(mode, {first, count}, instances);
 };
-constexpr auto tapedArraysBaseInstance = [](GLenum mode, GLint first, GLsizei count, GLsizei instances,
-                                       GLuint base) { tapeOne(mode, {first, count}, instances, base); };
+constexpr auto tapedArraysBaseInstance = [](GLenum mode, GLint first, GLsizei count,
+                                            GLsizei instances, GLuint base) {
+  tapeOne(mode, {first, count}, instances, base);
+};
 constexpr auto tapedElements = [](GLenum mode, GLsizei count, GLenum type, const void* offset) {
   tapeOne(mode, indexed(count, type, offset));
 };
 constexpr auto tapedElementsBase = [](GLenum mode, GLsizei count, GLenum type, const void* offset,
-                                 GLint base) { tapeOne(mode, indexed(count, type, offset, base)); };
-constexpr auto tapedElementsInstanced = [](GLenum mode, GLsizei count, GLenum type, const void* offset,
-                                      GLsizei instances) {
+                                      GLint base) {
+  tapeOne(mode, indexed(count, type, offset, base));
+};
+constexpr auto tapedElementsInstanced = [](GLenum mode, GLsizei count, GLenum type,
+                                           const void* offset, GLsizei instances) {
   tapeOne(mode, indexed(count, type, offset), instances);
 };
 constexpr auto tapedElementsInstancedBase = [](GLenum mode, GLsizei count, GLenum type,
-                                          const void* offset, GLsizei instances, GLint base) {
+                                               const void* offset, GLsizei instances, GLint base) {
   tapeOne(mode, indexed(count, type, offset, base), instances);
 };
 constexpr auto tapedElementsBaseInstance = [](GLenum mode, GLsizei count, GLenum type,
-                                         const void* offset, GLsizei instances, GLuint base) {
+                                              const void* offset, GLsizei instances, GLuint base) {
   tapeOne(mode, indexed(count, type, offset), instances, base);
 };
 constexpr auto tapedElementsBoth = [](GLenum mode, GLsizei count, GLenum type, const void* offset,
-                                 GLsizei instances, GLint base, GLuint instance) {
+                                      GLsizei instances, GLint base, GLuint instance) {
   tapeOne(mode, indexed(count, type, offset, base), instances, instance);
 };
 constexpr auto tapedRange = [](GLenum mode, GLuint, GLuint, GLsizei count, GLenum type,
-                          const void* offset) { tapeOne(mode, indexed(count, type, offset)); };
+                               const void* offset) { tapeOne(mode, indexed(count, type, offset)); };
 constexpr auto tapedRangeBase = [](GLenum mode, GLuint, GLuint, GLsizei count, GLenum type,
-                              const void* offset, GLint base) {
+                                   const void* offset, GLint base) {
   tapeOne(mode, indexed(count, type, offset, base));
 };
 constexpr auto tapedMultiArrays = [](GLenum mode, const GLint* firsts, const GLsizei* counts,
-                                GLsizei draws) {
+                                     GLsizei draws) {
   std::vector<Vertices> runs;
   for (GLsizei i = 0; i < draws; ++i) runs.push_back({firsts[i], counts[i]});
   tape::draw(mode, runs);
 };
 constexpr auto tapedMultiElements = [](GLenum mode, const GLsizei* counts, GLenum type,
-                                  const void* const* offsets, GLsizei draws) {
+                                       const void* const* offsets, GLsizei draws) {
   std::vector<Vertices> runs;
   for (GLsizei i = 0; i < draws; ++i) runs.push_back(indexed(counts[i], type, offsets[i]));
   tape::draw(mode, runs);
 };
 constexpr auto tapedMultiElementsBase = [](GLenum mode, const GLsizei* counts, GLenum type,
-                                      const void* const* offsets, GLsizei draws,
-                                      const GLint* bases) {
+                                           const void* const* offsets, GLsizei draws,
+                                           const GLint* bases) {
   std::vector<Vertices> runs;
   for (GLsizei i = 0; i < draws; ++i)
     runs.push_back(indexed(counts[i], type, offsets[i], bases[i]));
@@ -94,48 +99,49 @@ void tapeClear(const GLuint* framebuffer, GLenum buffer, GLint drawBuffer, const
 constexpr auto tapedClearingBuffer = [](GLenum buffer, GLint drawBuffer, const auto* values) {
   tapeClear(nullptr, buffer, drawBuffer, values);
 };
-constexpr auto tapedClearingBoth = [](GLenum buffer, GLint drawBuffer, GLfloat depth, GLint stencil) {
+constexpr auto tapedClearingBoth = [](GLenum buffer, GLint drawBuffer, GLfloat depth,
+                                      GLint stencil) {
   tape::clearBuffer(nullptr, buffer, drawBuffer, 'b', {depth, static_cast<double>(stencil)});
 };
 constexpr auto tapedClearingNamed = [](GLuint framebuffer, GLenum buffer, GLint drawBuffer,
-                                  const auto* values) {
+                                       const auto* values) {
   tapeClear(&framebuffer, buffer, drawBuffer, values);
 };
 constexpr auto tapedClearingNamedBoth = [](GLuint framebuffer, GLenum buffer, GLint drawBuffer,
-                                      GLfloat depth, GLint stencil) {
+                                           GLfloat depth, GLint stencil) {
   tape::clearBuffer(&framebuffer, buffer, drawBuffer, 'b', {depth, static_cast<double>(stencil)});
 };
 
-constexpr auto tapedBlitting = [](GLint a, GLint b, GLint c, GLint d, GLint e, GLint f, GLint g, GLint h,
-                             GLbitfield mask, GLenum filter) {
+constexpr auto tapedBlitting = [](GLint a, GLint b, GLint c, GLint d, GLint e, GLint f, GLint g,
+                                  GLint h, GLbitfield mask, GLenum filter) {
   tape::blit(nullptr, nullptr, {a, b, c, d, e, f, g, h}, mask, filter);
 };
 constexpr auto tapedBlittingNamed = [](GLuint from, GLuint to, GLint a, GLint b, GLint c, GLint d,
-                                  GLint e, GLint f, GLint g, GLint h, GLbitfield mask,
-                                  GLenum filter) {
+                                       GLint e, GLint f, GLint g, GLint h, GLbitfield mask,
+                                       GLenum filter) {
   tape::blit(&from, &to, {a, b, c, d, e, f, g, h}, mask, filter);
 };
 
 constexpr auto tapedCopyImage2 = [](GLenum target, GLint level, GLenum format, GLint x, GLint y,
-                               GLsizei width, GLsizei height, GLint) {
+                                    GLsizei width, GLsizei height, GLint) {
   tape::copy(0, {target, level, {}, {x, y, width, height}, format});
 };
-constexpr auto tapedCopySub2 = [](GLenum target, GLint level, GLint toX, GLint toY, GLint x, GLint y,
-                             GLsizei width, GLsizei height) {
+constexpr auto tapedCopySub2 = [](GLenum target, GLint level, GLint toX, GLint toY, GLint x,
+                                  GLint y, GLsizei width, GLsizei height) {
   tape::copy(0, {target, level, {toX, toY, 0}, {x, y, width, height}});
 };
-constexpr auto tapedCopySub3 = [](GLenum target, GLint level, GLint toX, GLint toY, GLint toZ, GLint x,
-                             GLint y, GLsizei width, GLsizei height) {
+constexpr auto tapedCopySub3 = [](GLenum target, GLint level, GLint toX, GLint toY, GLint toZ,
+                                  GLint x, GLint y, GLsizei width, GLsizei height) {
   tape::copy(0, {target, level, {toX, toY, toZ}, {x, y, width, height}});
 };
-constexpr auto tapedCopyNamed2 = [](GLuint texture, GLint level, GLint toX, GLint toY, GLint x, GLint y,
-                               GLsizei width, GLsizei height) {
+constexpr auto tapedCopyNamed2 = [](GLuint texture, GLint level, GLint toX, GLint toY, GLint x,
+                                    GLint y, GLsizei width, GLsizei height) {
   tape::copy(texture, {GL_TEXTURE_2D, level, {toX, toY, 0}, {x, y, width, height}});
 };
 constexpr auto tapedCopyImages = [](GLuint from, GLenum fromTarget, GLint fromLevel, GLint fromX,
-                               GLint fromY, GLint fromZ, GLuint to, GLenum toTarget, GLint toLevel,
-                               GLint toX, GLint toY, GLint toZ, GLsizei width, GLsizei height,
-                               GLsizei depth) {
+                                    GLint fromY, GLint fromZ, GLuint to, GLenum toTarget,
+                                    GLint toLevel, GLint toX, GLint toY, GLint toZ, GLsizei width,
+                                    GLsizei height, GLsizei depth) {
   tape::copyImage({from, fromTarget, fromLevel, fromZ}, {fromX, fromY, fromZ},
                   {to, toTarget, toLevel, toZ}, {toX, toY, toZ}, {width, height, depth});
 };

@@ -287,8 +287,8 @@ void replay(const CalibrateOptions& options) {
     const auto programs =
         calibration::programsOf(target.assignment, catalogue, solutions, options.only);
     Progress progress("calibrating " + target.id);
-    const auto figures = calibration::measureReplay(target, solutions, programs, options.jobs,
-                                                    std::ref(progress));
+    const auto figures =
+        calibration::measureReplay(target, solutions, programs, options.jobs, std::ref(progress));
     progress.clear();
     parts.push_back(calibration::toJson(figures));
     pages.push_back(pageOf(target, {calibration::sectionOf(figures)}, "tapes"));
@@ -297,8 +297,8 @@ void replay(const CalibrateOptions& options) {
     for (const auto& row : section.rows) texts += fmt::format("  {}\n", fmt::join(row, " | "));
     for (const calibration::Replayed& one : figures.all)
       if (!one.difference.empty() && !one.refused)
-        failures += fmt::format("{} {}, {}: {}\n", target.id, one.program, one.scene,
-                                one.difference);
+        failures +=
+            fmt::format("{} {}, {}: {}\n", target.id, one.program, one.scene, one.difference);
   }
   grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
   publish(options, work, out, parts, "replay.json", pages, texts + '\n');

@@ -36,7 +36,8 @@ std::string nameOf(const results::ProvedCause& cause) {
   }
   if (unit == "viewport") return say("the viewport");
   if (unit == "culling" || unit == "frontFace") return say("which faces are culled");
-  if (unit == "clear") return say("what is cleared, and to what");
+  if (unit.starts_with("clear")) return say("what is cleared, and to what");
+  if (unit == "copy") return say("what is copied, and to where");
   if (unit == "depth") return say("the depth test");
   if (unit == "stencil") return say("the stencil test");
   if (unit == "blend" || unit == "blendColor") return say("the blending");
@@ -64,8 +65,9 @@ std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
                 "right: {}.",
                 pass + 1, list);
   if (causes[0].todos.empty())
-    text += ' ' + say("The handed-out program has it right: a call of yours changes it, and doesn't "
-                      "put it back.");
+    text +=
+        ' ' + say("The handed-out program has it right: a call of yours changes it, and doesn't "
+                  "put it back.");
   return text;
 }
 

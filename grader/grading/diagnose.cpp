@@ -105,7 +105,8 @@ Diagnosis inWords(const Cause& cause, const Graded& graded, const Part& part,
   return words;
 }
 
-/// What was proved is surer than a change of the picture, and stands beside a mistake that is known.
+/// What was proved is surer than a change of the picture, and stands beside a mistake that is
+/// known.
 void addProved(const results::Result& result, const Part& part, const Cause& cause,
                Diagnosis& words) {
   const std::string proved = diagnosis::sentenceOf(result.causes);

@@ -63,7 +63,8 @@ channel::Capture partOf(const channel::Capture& all, std::size_t first, std::siz
                         ? trace::kNone
                         : sample.writer - begin;
   to.steps = from.steps;
-  for (trace::StepRecord& step : to.steps) step.pass -= begin; // those of other passes aren't asked for
+  for (trace::StepRecord& step : to.steps)
+    step.pass -= begin; // those of other passes aren't asked for
   for (std::uint32_t p = begin; p < end; ++p) {
     to.passes.push_back(from.passes[p]);
     to.passes.back().frame -= std::uint32_t(first);
@@ -140,7 +141,8 @@ private:
     if (!taped.happened.ok()) return why = "it ends otherwise when it is recorded", false;
     if (!taped.capture.tapeRefused.empty())
       return why = "the program " + taped.capture.tapeRefused, false;
-    scenes_.push_back({index, repair::compare(tape::read(taped.capture.tape), own_.reference(index))});
+    scenes_.push_back(
+        {index, repair::compare(tape::read(taped.capture.tape), own_.reference(index))});
     const channel::Capture again = play(scenes_.back(), {json::array()}).at(0);
     if (const std::string difference = differenceOf(taped.capture, again); !difference.empty())
       return why = "it is not drawn again as it was: " + difference, false;
@@ -148,8 +150,9 @@ private:
   }
 
   /// The scene with each of these patches.
-  std::vector<channel::Capture> play(const TapedScene& scene, const std::vector<json>& patches) const {
-const GradedScene& graded = graded_.scenes[scene.index];
+  std::vector<channel::Capture> play(const TapedScene& scene,
+                                     const std::vector<json>& patches) const {
+    const GradedScene& graded = graded_.scenes[scene.index];
     const std::size_t frames = graded.times.size();
     const std::size_t each = std::max<std::size_t>(1, kVariantFrames / frames);
     std::vector<channel::Capture> all;
@@ -160,9 +163,9 @@ const GradedScene& graded = graded_.scenes[scene.index];
       trace::Request request = gradingRequest();
       request.copyFrames = channel::kMaxFrames;
       request.copyBytes = std::uint64_t{1} << 30;
-      const Rendering played = grading::play(scene.comparison.tape, some,
-                                             graded.scene.at("size").get<std::vector<std::uint32_t>>(),
-                                             std::uint32_t(frames), graded_.shaders, request);
+      const Rendering played = grading::play(
+          scene.comparison.tape, some, graded.scene.at("size").get<std::vector<std::uint32_t>>(),
+          std::uint32_t(frames), graded_.shaders, request);
       const std::size_t whole = played.capture.frames.size() / frames;
       for (std::size_t i = 0; i < some.size(); ++i)
         all.push_back(i < whole ? partOf(played.capture, i * frames, frames, graded.times)
@@ -174,7 +177,7 @@ const GradedScene& graded = graded_.scenes[scene.index];
   /// What the rubric says of the scenes as drawn here; `drawn` is one to each of `scenes_`, or only
   /// of the first ones.
   std::vector<results::Item> judge(const std::vector<channel::Capture>& drawn) {
-TemporaryFolder work;
+    TemporaryFolder work;
     std::vector<fs::path> students(graded_.scenes.size());
     for (std::size_t i = 0; i < drawn.size(); ++i) {
       if (drawn[i].frames.empty()) return {};
@@ -288,8 +291,8 @@ TemporaryFolder work;
   /// the largest share keeps its loss.
   void chargeOnce(const std::vector<results::Item>& before) {
     const auto share = [](const results::Item& item) {
-      const double lost = item.kind == results::ItemKind::keep ? -item.earned
-                                                               : item.points - item.earned;
+      const double lost =
+          item.kind == results::ItemKind::keep ? -item.earned : item.points - item.earned;
       return item.kind == results::ItemKind::bonus ? 0 : lost / item.points;
     };
     if (std::ranges::any_of(items_, [&](const results::Item& item) { return share(item) > 0.05; }))
@@ -324,8 +327,8 @@ TemporaryFolder work;
           item->credits[k].credit = again.credits[i].credit;
           item->messages[k] = again.messages[i];
         }
-    item->earned = rubric::pointsOf(item->kind, item->points,
-                                    results::creditOf(item->kind, item->credits));
+    item->earned =
+        rubric::pointsOf(item->kind, item->points, results::creditOf(item->kind, item->credits));
     if (item->earned <= before) {
       item->earned = before;
       return;
@@ -338,9 +341,8 @@ TemporaryFolder work;
   }
 
   bool isTaped(const std::string& scene) const {
-    return std::ranges::any_of(scenes_, [&](const TapedScene& one) {
-      return graded_.scenes[one.index].name == scene;
-    });
+    return std::ranges::any_of(
+        scenes_, [&](const TapedScene& one) { return graded_.scenes[one.index].name == scene; });
   }
 
   const Target& target_;
@@ -370,16 +372,16 @@ tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& sc
 }
 
 const tape::Tape& OwnTapes::reference(std::size_t scene) {
-const std::lock_guard lock(mutex_);
+  const std::lock_guard lock(mutex_);
   const auto found = reference_.find(scene);
   if (found != reference_.end()) return found->second;
   return reference_
-      .emplace(scene, record({solutionFolder_}, references_.scenes.at(scene), references_.ownShaders))
+      .emplace(scene,
+               record({solutionFolder_}, references_.scenes.at(scene), references_.ownShaders))
       .first->second;
 }
 
 void OwnTapes::learnOwners() {
-  learned_ = true;
   const rubric::SceneFolders& scene = references_.scenes.at(0);
   const fs::path file =
       cacheFolder() / "owners" /
@@ -419,6 +421,7 @@ void OwnTapes::learnOwners() {
 std::set<std::string> OwnTapes::ownersOf(const Unit& unit) {
   const std::lock_guard lock(owners_);
   if (!learned_) learnOwners();
+  learned_ = true;
   const auto found = changedBy_.find(unit);
   return found == changedBy_.end() ? std::set<std::string>{} : found->second;
 }

@@ -21,7 +21,8 @@ struct Graded;
 /// Tapes of our own programs, and whose work which unit is. Made when first asked for, and kept.
 class OwnTapes {
 public:
-  OwnTapes(const Target& target, std::filesystem::path solutionFolder, const References& references);
+  OwnTapes(const Target& target, std::filesystem::path solutionFolder,
+           const References& references);
 
   /// The reference's, in a scene of the plan.
   const tape::Tape& reference(std::size_t scene);
@@ -47,7 +48,7 @@ private:
 /// Finds the causes and gives back what they cost more than once. Nothing: no set of causes makes
 /// it right, and the items stay as they are. Throws Interrupted.
 /// \param why the reason where nothing was found
-std::vector<results::ProvedCause> repairFaults(const Target& target, OwnTapes& own, Judge& judge, Graded& graded,
-                                std::string& why);
+std::vector<results::ProvedCause> repairFaults(const Target& target, OwnTapes& own, Judge& judge,
+                                               Graded& graded, std::string& why);
 
 } // namespace ggrade::grading

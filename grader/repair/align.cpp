@@ -31,8 +31,8 @@ common(std::size_t a, std::size_t b, const std::function<bool(std::size_t, std::
   std::vector<std::vector<std::size_t>> length(a + 1, std::vector<std::size_t>(b + 1, 0));
   for (std::size_t i = a; i-- > 0;)
     for (std::size_t k = b; k-- > 0;)
-      length[i][k] = alike(i, k) ? length[i + 1][k + 1] + 1
-                                 : std::max(length[i + 1][k], length[i][k + 1]);
+      length[i][k] =
+          alike(i, k) ? length[i + 1][k + 1] + 1 : std::max(length[i + 1][k], length[i][k + 1]);
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0, k = 0; i < a && k < b;) {
     if (alike(i, k) && length[i][k] == length[i + 1][k + 1] + 1)
@@ -122,9 +122,8 @@ std::vector<PassPair> align(const json& one, const json& other) {
     const auto &from = a[i].commands, &to = b[k].commands;
     std::size_t x = 0, y = 0;
     const std::vector<json> meshes = meshesOf(one, a[i]), others = meshesOf(other, b[k]);
-    const auto same = common(from.size(), to.size(), [&](std::size_t p, std::size_t q) {
-      return meshes[p] == others[q];
-    });
+    const auto same = common(from.size(), to.size(),
+                             [&](std::size_t p, std::size_t q) { return meshes[p] == others[q]; });
     const auto alone = [&](std::size_t endX, std::size_t endY) {
       for (; x < endX; ++x) pair.commands.push_back({from[x], {}});
       for (; y < endY; ++y) pair.commands.push_back({{}, to[y]});

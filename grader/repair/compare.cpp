@@ -50,7 +50,8 @@ public:
     commands.push_back(own.at(0));
     // Every image of the reference can be named by a patch.
     for (json& command : reference_) {
-      if (command.at("op") == "image") command["id"] = command["id"].get<std::uint64_t>() + kReferenceImages;
+      if (command.at("op") == "image")
+        command["id"] = command["id"].get<std::uint64_t>() + kReferenceImages;
       forEach(command, "image", [](json& id) { id = id.get<std::uint64_t>() + kReferenceImages; });
     }
     std::set<json> defined;
@@ -96,13 +97,15 @@ private:
     json& commands = result_.tape.commands;
     for (const PassPair& pair : pairs_) {
       const json &a = commands[pair.one.commands[0]], &b = reference_[pair.other.commands[0]];
-      if (!a.contains("target") || !b.contains("target") || a["target"].contains("window")) continue;
+      if (!a.contains("target") || !b.contains("target") || a["target"].contains("window"))
+        continue;
       for (const auto& [point, one] : b["target"].at("attachments").items())
         if (const json& own = a["target"].at("attachments"); own.contains(point))
           same.try_emplace(one.at("image"), own[point].at("image"));
     }
     const auto definition = [](json command) {
       command.erase("id");
+      command.erase("parameters");
       return command;
     };
     for (const json& theirs : reference_) {
@@ -154,7 +157,8 @@ private:
   }
 
   void compareImage(const PassPair& pair, const json& own) {
-    const auto theirs = std::ranges::find_if(same_, [&](const auto& one) { return own == one.second; });
+    const auto theirs =
+        std::ranges::find_if(same_, [&](const auto& one) { return own == one.second; });
     if (theirs == same_.end()) return;
     const json* wanted = nullptr;
     for (const json& command : reference_)
@@ -173,12 +177,14 @@ private:
     if (image.contains("levels"))
       for (json& level : image["levels"]) level.erase("data");
     image.erase("immutable");
+    image.erase("parameters");
     return image;
   }
 
   void compareProgram(const PassPair& pair, std::size_t i, const json& own, const json& theirs) {
     const std::string at = std::to_string(i);
-    const json &stages = own.at("program").at("stages"), &wanted = theirs.at("program").at("stages");
+    const json &stages = own.at("program").at("stages"),
+               &wanted = theirs.at("program").at("stages");
     if (stages.size() != wanted.size()) return;
     for (std::size_t k = 0; k < wanted.size(); ++k) {
       if (stages[k].at("stage") != wanted[k].at("stage")) return;
@@ -238,9 +244,16 @@ private:
   }
 
   void compareClear(const PassPair& pair, std::size_t i, const json& theirs) {
+    if (theirs.at("op") == "clear") {
+      for (const std::string what : {"color", "depth", "stencil"})
+        for (const std::string& key : {what + 's', what})
+          patch(pair, "clear " + what, pointer({std::to_string(i), key}), theirs.at(key));
+      return;
+    }
     for (const auto& [key, value] : theirs.items())
       if (key != "state" && key != "target" && key != "op")
-        patch(pair, "clear", pointer({std::to_string(i), key}), value);
+        patch(pair, theirs["op"] == "clearBuffer" ? "clear" : "copy",
+              pointer({std::to_string(i), key}), value);
   }
 
   void comparePass(const PassPair& pair) {

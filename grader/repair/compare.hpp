@@ -26,8 +26,8 @@ struct Difference {
 
 struct Comparison {
   tape::Tape tape; ///< the submission's, with blobs and images that patches name
-  std::vector<Difference> differences; ///< narrow ones first
-  std::set<Unit> compared; ///< units that both have, different or not
+  std::vector<Difference> differences;       ///< narrow ones first
+  std::set<Unit> compared;                   ///< units that both have, different or not
   std::map<std::size_t, std::size_t> passes; ///< of the submission's first frame: the reference's
 };
 

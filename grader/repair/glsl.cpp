@@ -23,7 +23,9 @@ std::string withoutComments(std::string text) {
 
 std::string wordsOf(const std::string& text) {
   std::string words;
-  const auto isName = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  const auto isName = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+  };
   bool space = false;
   for (const char c : text) {
     if (std::isspace(static_cast<unsigned char>(c))) {

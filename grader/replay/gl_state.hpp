@@ -52,9 +52,12 @@ inline constexpr Switch kSwitches[] = {
 
 /// Parameters of how a texture is sampled, a sampler object's where one is bound.
 inline constexpr Switch kSampling[] = {
-    {"minFilter", GL_TEXTURE_MIN_FILTER},     {"magFilter", GL_TEXTURE_MAG_FILTER},
-    {"wrapS", GL_TEXTURE_WRAP_S},             {"wrapT", GL_TEXTURE_WRAP_T},
-    {"wrapR", GL_TEXTURE_WRAP_R},             {"compareMode", GL_TEXTURE_COMPARE_MODE},
+    {"minFilter", GL_TEXTURE_MIN_FILTER},
+    {"magFilter", GL_TEXTURE_MAG_FILTER},
+    {"wrapS", GL_TEXTURE_WRAP_S},
+    {"wrapT", GL_TEXTURE_WRAP_T},
+    {"wrapR", GL_TEXTURE_WRAP_R},
+    {"compareMode", GL_TEXTURE_COMPARE_MODE},
     {"compareFunc", GL_TEXTURE_COMPARE_FUNC},
 };
 inline constexpr Switch kSamplingFloats[] = {

@@ -12,7 +12,8 @@
 ///   Comes before the first use of an image, and again when it was changed otherwise than by
 ///   commands. Renderbuffers have no data: nothing but commands changes them.
 /// - `draw`: state, target, program, uniforms, blocks, textures, attributes, indices, calls.
-/// - `clear` (mask, values), `clearBuffer`: state, target.
+/// - `clear` (colors, depths, stencils: which; color, depth, stencil: to what), `clearBuffer`:
+///   state, target.
 /// - `blit`, `copy`, `copyImage`, `mipmap`: between images.
 /// - `swap`: a frame is complete.
 ///

@@ -113,11 +113,9 @@ Json extraData(const results::Result& result) {
                                  {"scene", sanitizeLine(diagnosis.scene)},
                                  {"place", sanitizeLine(diagnosis.place)}});
   for (const results::ProvedCause& cause : result.causes)
-    data["proved_causes"].push_back({{"pass", cause.pass},
-                                     {"unit", sanitizeLine(cause.unit)},
-                                     {"todos", cause.todos}});
-  if (!result.causesSought.empty())
-    data["causes_sought"] = sanitizeLine(result.causesSought, 400);
+    data["proved_causes"].push_back(
+        {{"pass", cause.pass}, {"unit", sanitizeLine(cause.unit)}, {"todos", cause.todos}});
+  if (!result.causesSought.empty()) data["causes_sought"] = sanitizeLine(result.causesSought, 400);
   for (const results::Item& item : result.items) {
     Json credits = Json::object();
     for (const results::SceneCredit& one : item.credits)

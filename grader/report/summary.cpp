@@ -73,7 +73,8 @@ std::string listOf(const std::vector<std::string>& all) {
 } // namespace
 
 std::string carriedText(const results::Item& item) {
-  if (!item.repaired.empty()) return say("Judged as if this were right: {}.", listOf(item.repaired));
+  if (!item.repaired.empty())
+    return say("Judged as if this were right: {}.", listOf(item.repaired));
   if (item.carried.empty()) return "";
   return say("Judged with the reference's {} in place of yours.", listOf(item.carried));
 }

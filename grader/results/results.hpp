@@ -135,8 +135,8 @@ struct Diagnosis {
 
 /// What was wrong, proved by drawing it again with the reference's in its place.
 struct ProvedCause {
-  std::size_t pass = 0; ///< the reference's, counted within a frame
-  std::string unit;     ///< "viewport", "uniform uLight", "function visibility in fragment"
+  std::size_t pass = 0;        ///< the reference's, counted within a frame
+  std::string unit;            ///< "viewport", "uniform uLight", "function visibility in fragment"
   std::set<std::string> todos; ///< whose work it is; none: it was right before, and was spoiled
 };
 
@@ -156,7 +156,7 @@ struct Result {
   double bonus = 0;
   double maxScore = 0;
   std::vector<Item> items;
-  std::vector<ProvedCause> causes;  ///< what each fault costs was counted by them
+  std::vector<ProvedCause> causes; ///< what each fault costs was counted by them
   std::string causesSought; ///< why there are none although points were lost, for the instructor
   std::vector<Diagnosis> diagnoses; ///< at most one a part; none where nothing was lost
   std::vector<Scene> scenes;

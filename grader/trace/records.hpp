@@ -182,8 +182,8 @@ struct Request {
   std::uint32_t copyFrames;         ///< copies are made in the first so many frames
   std::uint32_t times;              ///< 1: wait for GL at both ends of every pass and measure it
   std::uint32_t tapeFrames;         ///< the first so many frames go on a tape (tape_format.hpp)
-  std::uint64_t copyBytes; ///< room for copies; what doesn't fit is counted
-  std::uint64_t tapeBytes; ///< room for the tape; one that doesn't fit is refused
+  std::uint64_t copyBytes;          ///< room for copies; what doesn't fit is counted
+  std::uint64_t tapeBytes;          ///< room for the tape; one that doesn't fit is refused
 };
 
 /// How much of each table is filled, and how much was lost because a table was full.

@@ -35,16 +35,18 @@ ggrade_test(capture_test gl
     ${CMAKE_CURRENT_LIST_DIR}/capture_recorder_limits_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_replacements_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_run_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/capture_tape_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_traces.cpp
-  LIBRARIES ggrade_channel COST 15)
+  LIBRARIES ggrade_channel ggrade_tape COST 20)
 target_compile_definitions(capture_test PRIVATE
   GGRADE_CAPTURE_FOLDER="${CMAKE_BINARY_DIR}/capture"
   GGRADE_CAPTURE_PROGRAMS="${capture_programs}"
+  GGRADE_PLAYER="$<TARGET_FILE:ggrade_player>"
   GGRADE_INSTALLED_LIBRARIES="${installed}"
   GGRADE_NM="${CMAKE_NM}"
   GGRADE_LIBASAN="${libasan}")
 get_property(programs GLOBAL PROPERTY GGRADE_CAPTURE_PROGRAMS)
-add_dependencies(capture_test ggrade_capture ${programs})
+add_dependencies(capture_test ggrade_capture ggrade_player ${programs})
 
 # What machine code llvmpipe makes of the references' shaders.
 if(EXISTS ${PROJECT_SOURCE_DIR}/solutions AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT GGRADE_ASAN)

@@ -38,7 +38,9 @@ std::string contents(int descriptor) {
   dup2(output, STDOUT_FILENO);
   dup2(errors, STDERR_FILENO);
   alarm(kDeadlineSeconds);
-  std::string path = std::string(GGRADE_CAPTURE_PROGRAMS) + "/capture_" + program;
+  std::string path = program.starts_with('/')
+                         ? program
+                         : std::string(GGRADE_CAPTURE_PROGRAMS) + "/capture_" + program;
   std::vector<char*> arguments{path.data()};
   for (const std::string& argument : options.arguments) {
     arguments.push_back(const_cast<char*>(argument.c_str()));

@@ -25,7 +25,7 @@ struct CaptureOptions {
   std::vector<channel::PassPixels> replacements{};
 };
 
-/// `program` is a name in the folder of test programs. It is killed after a minute.
+/// `program` is a name in the folder of test programs, or a path. It is killed after a minute.
 CaptureRun runCaptured(const std::string& program, const std::vector<channel::PlannedFrame>& frames,
                        const CaptureOptions& options = {});
 

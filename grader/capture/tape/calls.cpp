@@ -104,8 +104,7 @@ bool isCubeFace(GLenum target) {
 void draw(GLenum mode, std::span<const Vertices> runs, GLsizei instances, GLuint baseInstance) {
   const Taping taping;
   if (!taping) return;
-  if (gl().isEnabled(GL_RASTERIZER_DISCARD) || number(GL_TRANSFORM_FEEDBACK_ACTIVE))
-    return refuse("draws for transform feedback");
+  if (number(GL_TRANSFORM_FEEDBACK_ACTIVE)) return refuse("draws for transform feedback");
   json one = drawingJson("draw");
   one["mode"] = mode;
   one["instances"] = instances;
@@ -131,7 +130,9 @@ void clear(GLbitfield mask) {
   const Taping taping;
   if (!taping) return;
   json one = drawingJson("clear");
-  one["mask"] = mask;
+  one["colors"] = (mask & GL_COLOR_BUFFER_BIT) != 0;
+  one["depths"] = (mask & GL_DEPTH_BUFFER_BIT) != 0;
+  one["stencils"] = (mask & GL_STENCIL_BUFFER_BIT) != 0;
   GLfloat color[4] = {}, depth = 0;
   gl().getFloatv(GL_COLOR_CLEAR_VALUE, color);
   gl().getFloatv(GL_DEPTH_CLEAR_VALUE, &depth);
@@ -178,8 +179,8 @@ void copy(GLuint texture, const Copy& copy) {
     return refuse("copies into a texture of a kind that isn't recorded");
   json one = {{"op", "copy"}, {"from", readTargetJson()}};
   const bool isDefined = recorder::levelParameter(texture, 0, GL_TEXTURE_WIDTH) > 0;
-  one["image"] = isDefined ? useImage(ImageKind::texture, texture, target)
-                           : useUndefined(texture, target);
+  one["image"] =
+      isDefined ? useImage(ImageKind::texture, texture, target) : useUndefined(texture, target);
   one["target"] = copy.target;
   one["level"] = copy.level;
   one["to"] = copy.to;

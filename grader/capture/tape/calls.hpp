@@ -41,7 +41,7 @@ void blit(const GLuint* from, const GLuint* to, const std::array<GLint, 8>& corn
 struct Copy {
   GLenum target = GL_TEXTURE_2D;
   GLint level = 0;
-  std::array<GLint, 3> to{}; ///< offsets in the level
+  std::array<GLint, 3> to{};   ///< offsets in the level
   std::array<GLint, 4> from{}; ///< x, y, width, height
   GLenum format = 0;
 };

@@ -76,8 +76,7 @@ Texels texelsOf(GLuint texture, std::uint32_t level) {
   case GL_FLOAT:
     return bits <= 16 ? Texels{GL_RGBA, GL_HALF_FLOAT, 8} : Texels{GL_RGBA, GL_FLOAT, 16};
   case GL_UNSIGNED_NORMALIZED:
-    return bits <= 8 ? Texels{GL_RGBA, GL_UNSIGNED_BYTE, 4}
-                     : Texels{GL_RGBA, GL_UNSIGNED_SHORT, 8};
+    return bits <= 8 ? Texels{GL_RGBA, GL_UNSIGNED_BYTE, 4} : Texels{GL_RGBA, GL_UNSIGNED_SHORT, 8};
   case GL_SIGNED_NORMALIZED:
     return bits <= 8 ? Texels{GL_RGBA, GL_BYTE, 4} : Texels{GL_RGBA, GL_SHORT, 8};
   default:
@@ -114,6 +113,45 @@ json levelJson(GLuint texture, GLenum target, std::uint32_t level) {
   return one;
 }
 
+bool isMultisampled(GLenum target) {
+  return target == GL_TEXTURE_2D_MULTISAMPLE || target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY;
+}
+
+/// How a texture is sampled: its own parameters, and those of the sampler object if there is one.
+json parametersJson(GLuint texture, GLenum target, GLuint sampler) {
+  json one = json::object();
+  for (const auto& [name, parameter] : ggrade::tape::kTextureOwn)
+    one[name] = textureParameter(texture, parameter);
+  one["depthStencilMode"] = textureParameter(texture, GL_DEPTH_STENCIL_TEXTURE_MODE);
+  if (isMultisampled(target)) return one;
+  const auto askInteger = [&](GLenum name) {
+    GLint value = 0;
+    if (sampler)
+      gl().getSamplerParameteriv(sampler, name, &value);
+    else
+      value = textureParameter(texture, name);
+    return value;
+  };
+  const auto askFloats = [&](GLenum name, GLfloat* values) {
+    if (sampler)
+      gl().getSamplerParameterfv(sampler, name, values);
+    else
+      gl().getTextureParameterfv(texture, name, values);
+  };
+  for (const auto& [name, parameter] : ggrade::tape::kSampling) one[name] = askInteger(parameter);
+  for (const auto& [name, parameter] : ggrade::tape::kSamplingFloats) {
+    GLfloat value = 0;
+    askFloats(parameter, &value);
+    one[name] = value;
+  }
+  GLfloat border[4] = {};
+  askFloats(GL_TEXTURE_BORDER_COLOR, border);
+  one["borderColor"] = border;
+  while (gl().getError() != GL_NO_ERROR) {
+  }
+  return one;
+}
+
 json textureDefinition(GLuint texture, GLenum target) {
   if (target == GL_TEXTURE_BUFFER) refuse("samples a buffer texture");
   json levels = json::array();
@@ -123,6 +161,7 @@ json textureDefinition(GLuint texture, GLenum target) {
       levels.push_back(levelJson(texture, target, level));
   return {{"target", target},
           {"levels", levels},
+          {"parameters", parametersJson(texture, target, 0)},
           {"immutable", textureParameter(texture, GL_TEXTURE_IMMUTABLE_FORMAT) != 0}};
 }
 
@@ -240,37 +279,7 @@ json textureJson(GLenum target, GLuint unit) {
   one["image"] = useImage(ImageKind::texture, texture, target);
   const GLuint sampler = number(GL_SAMPLER_BINDING);
   if (sampler) one["samplerObject"] = true;
-  const bool multisampled =
-      target == GL_TEXTURE_2D_MULTISAMPLE || target == GL_TEXTURE_2D_MULTISAMPLE_ARRAY;
-  for (const auto& [name, parameter] : ggrade::tape::kTextureOwn)
-    one[name] = textureParameter(texture, parameter);
-  one["depthStencilMode"] = textureParameter(texture, GL_DEPTH_STENCIL_TEXTURE_MODE);
-  if (multisampled) return one;
-  const auto askInteger = [&](GLenum name) {
-    GLint value = 0;
-    if (sampler)
-      gl().getSamplerParameteriv(sampler, name, &value);
-    else
-      value = textureParameter(texture, name);
-    return value;
-  };
-  const auto askFloats = [&](GLenum name, GLfloat* values) {
-    if (sampler)
-      gl().getSamplerParameterfv(sampler, name, values);
-    else
-      gl().getTextureParameterfv(texture, name, values);
-  };
-  for (const auto& [name, parameter] : ggrade::tape::kSampling) one[name] = askInteger(parameter);
-  for (const auto& [name, parameter] : ggrade::tape::kSamplingFloats) {
-    GLfloat value = 0;
-    askFloats(parameter, &value);
-    one[name] = value;
-  }
-  GLfloat border[4] = {};
-  askFloats(GL_TEXTURE_BORDER_COLOR, border);
-  one["borderColor"] = border;
-  while (gl().getError() != GL_NO_ERROR) {
-  }
+  one.update(parametersJson(texture, target, sampler));
   return one;
 }
 

@@ -1,7 +1,7 @@
 // Programs: the sources that they were linked from, and what a draw gives them.
 
-#include "capture/recorder/gl_calls.hpp"
 #include "capture/recorder/programs.hpp"
+#include "capture/recorder/gl_calls.hpp"
 #include "capture/tape/objects.hpp"
 #include "capture/tape/writer.hpp"
 #include "replay/gl_state.hpp"
@@ -246,8 +246,8 @@ void linking(GLuint program) {
   for (GLsizei i = 0; i < count; ++i) {
     GLint type = 0;
     gl().getShaderiv(shaders[i], GL_SHADER_TYPE, &type);
-    stages.push_back({{"stage", stageOf(static_cast<GLenum>(type))},
-                      {"blob", blob(sourceOf(shaders[i]))}});
+    stages.push_back(
+        {{"stage", stageOf(static_cast<GLenum>(type))}, {"blob", blob(sourceOf(shaders[i]))}});
   }
   linked.definition = {{"stages", stages}};
 }

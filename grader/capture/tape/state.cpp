@@ -33,15 +33,14 @@ GLfloat oneFloat(GLenum name) {
 }
 
 json stencilFace(bool back) {
-  return {{"func", number(back ? GL_STENCIL_BACK_FUNC : GL_STENCIL_FUNC)},
-          {"ref", number(back ? GL_STENCIL_BACK_REF : GL_STENCIL_REF)},
-          {"valueMask", number(back ? GL_STENCIL_BACK_VALUE_MASK : GL_STENCIL_VALUE_MASK)},
-          {"writeMask", number(back ? GL_STENCIL_BACK_WRITEMASK : GL_STENCIL_WRITEMASK)},
-          {"fail", number(back ? GL_STENCIL_BACK_FAIL : GL_STENCIL_FAIL)},
-          {"depthFail",
-           number(back ? GL_STENCIL_BACK_PASS_DEPTH_FAIL : GL_STENCIL_PASS_DEPTH_FAIL)},
-          {"depthPass",
-           number(back ? GL_STENCIL_BACK_PASS_DEPTH_PASS : GL_STENCIL_PASS_DEPTH_PASS)}};
+  return {
+      {"func", number(back ? GL_STENCIL_BACK_FUNC : GL_STENCIL_FUNC)},
+      {"ref", number(back ? GL_STENCIL_BACK_REF : GL_STENCIL_REF)},
+      {"valueMask", number(back ? GL_STENCIL_BACK_VALUE_MASK : GL_STENCIL_VALUE_MASK)},
+      {"writeMask", number(back ? GL_STENCIL_BACK_WRITEMASK : GL_STENCIL_WRITEMASK)},
+      {"fail", number(back ? GL_STENCIL_BACK_FAIL : GL_STENCIL_FAIL)},
+      {"depthFail", number(back ? GL_STENCIL_BACK_PASS_DEPTH_FAIL : GL_STENCIL_PASS_DEPTH_FAIL)},
+      {"depthPass", number(back ? GL_STENCIL_BACK_PASS_DEPTH_PASS : GL_STENCIL_PASS_DEPTH_PASS)}};
 }
 
 /// Of one draw buffer.

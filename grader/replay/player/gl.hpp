@@ -56,7 +56,8 @@ struct Gl {
   GG_CALL(drawArraysInstancedBaseInstance, glDrawArraysInstancedBaseInstance);
   GG_CALL(drawBuffer, glDrawBuffer);
   GG_CALL(drawBuffers, glDrawBuffers);
-  GG_CALL(drawElementsInstancedBaseVertexBaseInstance, glDrawElementsInstancedBaseVertexBaseInstance);
+  GG_CALL(drawElementsInstancedBaseVertexBaseInstance,
+          glDrawElementsInstancedBaseVertexBaseInstance);
   GG_CALL(enable, glEnable);
   GG_CALL(enablei, glEnablei);
   GG_CALL(enableVertexAttribArray, glEnableVertexAttribArray);

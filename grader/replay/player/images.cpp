@@ -1,6 +1,7 @@
 #include "replay/gl_state.hpp"
 #include "replay/player/objects.hpp"
 
+#include <array>
 #include <stdexcept>
 
 namespace ggrade::player {
@@ -41,8 +42,9 @@ std::size_t texelBytes(GLenum format, GLenum type) {
 }
 
 Level levelOf(const tape::Tape& tape, const json& one) {
-  Level level{one.at("level"), one.at("format"), one.at("width"), one.at("height"),
-              one.at("depth"), GL_RGBA, GL_UNSIGNED_BYTE, nullptr, 0};
+  Level level{one.at("level"),  one.at("format"), one.at("width"),
+              one.at("height"), one.at("depth"),  GL_RGBA,
+              GL_UNSIGNED_BYTE, nullptr,          0};
   if (level.width < 0 || level.height < 0 || level.depth < 0 || level.width > 16384 ||
       level.height > 16384 || level.depth > 2048)
     throw std::runtime_error("a texture's level is of no possible size");
@@ -115,6 +117,25 @@ const std::vector<std::byte>& blobOf(const tape::Tape& tape, const json& number)
   return tape.blobs[at];
 }
 
+void applyOwnParameters(GLenum target, const json& parameters) {
+  for (const auto& [name, parameter] : tape::kTextureOwn)
+    gl().texParameteri(target, parameter, parameters.at(name));
+  if (const GLint mode = parameters.value("depthStencilMode", 0); mode != 0)
+    gl().texParameteri(target, GL_DEPTH_STENCIL_TEXTURE_MODE, mode);
+}
+
+void applyParameters(GLenum target, const json& parameters) {
+  applyOwnParameters(target, parameters);
+  if (!parameters.contains("minFilter")) return; // multisampled
+  for (const auto& [name, parameter] : tape::kSampling)
+    if (target != GL_TEXTURE_RECTANGLE || parameter != GL_TEXTURE_WRAP_R)
+      gl().texParameteri(target, parameter, parameters.at(name));
+  for (const auto& [name, parameter] : tape::kSamplingFloats)
+    gl().texParameterf(target, parameter, parameters.at(name));
+  const auto border = parameters.at("borderColor").get<std::array<GLfloat, 4>>();
+  gl().texParameterfv(target, GL_TEXTURE_BORDER_COLOR, border.data());
+}
+
 void Images::defineTexture(Image& image, const json& command) {
   const GLenum target = command.at("target");
   if (image.name && (!image.isTexture || image.target != target)) image = {};
@@ -124,6 +145,7 @@ void Images::defineTexture(Image& image, const json& command) {
   gl().activeTexture(GL_TEXTURE0);
   gl().bindTexture(target, image.name);
   for (const json& one : command.at("levels")) defineLevel(target, levelOf(tape_, one), one);
+  if (command.contains("parameters")) applyParameters(target, command["parameters"]);
 }
 
 void Images::define(const json& command) {

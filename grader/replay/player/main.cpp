@@ -80,30 +80,17 @@ private:
     gl().bindSampler(unit, 0);
     if (!one.contains("image")) return gl().bindTexture(target, 0);
     gl().bindTexture(target, images_.at(one["image"]).name);
-    for (const auto& [name, parameter] : tape::kTextureOwn)
-      gl().texParameteri(target, parameter, one.at(name));
-    if (const GLint mode = one.value("depthStencilMode", 0); mode != 0)
-      gl().texParameteri(target, GL_DEPTH_STENCIL_TEXTURE_MODE, mode);
-    if (!one.contains("minFilter")) return; // multisampled
-    const auto border = one.at("borderColor").get<std::array<GLfloat, 4>>();
-    const bool isRectangle = target == GL_TEXTURE_RECTANGLE;
-    if (one.value("samplerObject", false)) {
-      GLuint& sampler = samplers_[one.dump()];
-      if (!sampler) gl().genSamplers(1, &sampler);
-      for (const auto& [name, parameter] : tape::kSampling)
-        gl().samplerParameteri(sampler, parameter, one.at(name));
-      for (const auto& [name, parameter] : tape::kSamplingFloats)
-        gl().samplerParameterf(sampler, parameter, one.at(name));
-      gl().samplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, border.data());
-      gl().bindSampler(unit, sampler);
-      return;
-    }
+    if (!one.value("samplerObject", false)) return applyParameters(target, one);
+    applyOwnParameters(target, one);
+    GLuint& sampler = samplers_[one.dump()];
+    if (!sampler) gl().genSamplers(1, &sampler);
     for (const auto& [name, parameter] : tape::kSampling)
-      if (!isRectangle || parameter != GL_TEXTURE_WRAP_R)
-        gl().texParameteri(target, parameter, one.at(name));
+      gl().samplerParameteri(sampler, parameter, one.at(name));
     for (const auto& [name, parameter] : tape::kSamplingFloats)
-      gl().texParameterf(target, parameter, one.at(name));
-    gl().texParameterfv(target, GL_TEXTURE_BORDER_COLOR, border.data());
+      gl().samplerParameterf(sampler, parameter, one.at(name));
+    const auto border = one.at("borderColor").get<std::array<GLfloat, 4>>();
+    gl().samplerParameterfv(sampler, GL_TEXTURE_BORDER_COLOR, border.data());
+    gl().bindSampler(unit, sampler);
   }
 
   /// What the program takes that is in use.
@@ -149,8 +136,8 @@ private:
     if (one.at("integer").get<bool>())
       gl().vertexAttribIPointer(at, one.at("size"), one.at("type"), one.at("stride"), offset);
     else
-      gl().vertexAttribPointer(at, one.at("size"), one.at("type"),
-                               one.at("normalized").get<bool>(), one.at("stride"), offset);
+      gl().vertexAttribPointer(at, one.at("size"), one.at("type"), one.at("normalized").get<bool>(),
+                               one.at("stride"), offset);
     gl().vertexAttribDivisor(at, one.at("divisor"));
     gl().enableVertexAttribArray(at);
   }
@@ -191,7 +178,11 @@ private:
     gl().clearColor(color[0], color[1], color[2], color[3]);
     gl().clearDepth(command.at("depth").get<double>());
     gl().clearStencil(command.at("stencil"));
-    gl().clear(command.at("mask"));
+    GLbitfield mask = 0;
+    if (command.at("colors").get<bool>()) mask |= GL_COLOR_BUFFER_BIT;
+    if (command.at("depths").get<bool>()) mask |= GL_DEPTH_BUFFER_BIT;
+    if (command.at("stencils").get<bool>()) mask |= GL_STENCIL_BUFFER_BIT;
+    gl().clear(mask);
   }
 
   void clearBuffer(const json& command) {

@@ -69,6 +69,11 @@ private:
   std::map<std::string, GLuint> programs_;
 };
 
+/// Of the texture that is bound to the target: what is its own in any case, and all of how it is
+/// sampled without a sampler object.
+void applyOwnParameters(GLenum target, const json& parameters);
+void applyParameters(GLenum target, const json& parameters);
+
 /// What "state" of a command says.
 void applyState(const json& state);
 

@@ -107,8 +107,10 @@ void setUniform(GLint location, GLenum type, const json& values) {
   if (each == 0 || values.size() % each != 0)
     throw std::runtime_error("a uniform's values are not of its type");
   const auto count = GLsizei(values.size() / each);
-  if (shape.base == 'i') return setVectors(location, shape.rows, count, values.get<std::vector<GLint>>());
-  if (shape.base == 'u') return setVectors(location, shape.rows, count, values.get<std::vector<GLuint>>());
+  if (shape.base == 'i')
+    return setVectors(location, shape.rows, count, values.get<std::vector<GLint>>());
+  if (shape.base == 'u')
+    return setVectors(location, shape.rows, count, values.get<std::vector<GLuint>>());
   const auto floats = values.get<std::vector<GLfloat>>();
   if (shape.columns == 1) return setVectors(location, shape.rows, count, floats);
   setMatrices(location, shape, count, floats);

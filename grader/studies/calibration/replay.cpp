@@ -60,8 +60,8 @@ std::optional<Replayed> replay(grading::Program& program, const KnownAnswer& kno
 } // namespace
 
 std::size_t ReplayFigures::equal() const {
-  return std::size_t(std::ranges::count_if(
-      all, [](const Replayed& one) { return one.difference.empty(); }));
+  return std::size_t(
+      std::ranges::count_if(all, [](const Replayed& one) { return one.difference.empty(); }));
 }
 
 ReplayFigures measureReplay(const Target& target, const std::filesystem::path& solutionFolder,
@@ -115,7 +115,8 @@ Section sectionOf(const ReplayFigures& figures) {
     refused += one.refused;
   }
   section.text = fmt::format(
-      "{} of {} runs are drawn again bit for bit, {} refused a tape. A tape takes at most {:.1f} MB; "
+      "{} of {} runs are drawn again bit for bit, {} refused a tape. A tape takes at most {:.1f} "
+      "MB; "
       "with it a run takes {:.2f} times as long, and {:.2f} times as long from the tape alone.",
       figures.equal(), figures.all.size(), refused, most, drawn > 0 ? taped / drawn : 0,
       drawn > 0 ? played / drawn : 0);

@@ -96,9 +96,9 @@ private:
     const double share = keep ? kKeepLoss : kItemLoss;
     if (!keep || !grading::repairs())
       result.require(loss, share * named.points,
-                   fmt::format("{} loses {} of {} points; {}% of them must go{}", named.id,
-                               number(loss), number(named.points), number(100 * share),
-                               message == score.messages.end() ? "" : ": " + message->second));
+                     fmt::format("{} loses {} of {} points; {}% of them must go{}", named.id,
+                                 number(loss), number(named.points), number(100 * share),
+                                 message == score.messages.end() ? "" : ": " + message->second));
     if (named.beyondLecture || named.kind == results::ItemKind::bonus) return;
     const double cost = full_ - score.score;
     const double least = grading::repairs() ? kOnceCost : kRequiredCost;

@@ -1,0 +1,35 @@
+// Proved causes in words.
+
+#include "diagnosis/proved.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace ggrade;
+using diagnosis::nameOf;
+using diagnosis::sentenceOf;
+
+namespace {
+
+TEST(Proved, UnitsInWords) {
+  EXPECT_EQ(nameOf({0, "viewport", {}}), "the viewport");
+  EXPECT_EQ(nameOf({0, "uniform uView", {}}), "the uniform uView");
+  EXPECT_EQ(nameOf({0, "function visibility in fragment", {}}),
+            "visibility() in the fragment shader");
+  EXPECT_EQ(nameOf({0, "clipDistance0", {}}), "the clipping");
+  EXPECT_EQ(nameOf({0, "lineWidth", {}}), "OpenGL's state lineWidth");
+}
+
+TEST(Proved, SaysWhereAndWhatWasSpoiled) {
+  EXPECT_EQ(sentenceOf({{0, "clear", {"mirror.2"}}}),
+            "Proved by drawing it again: with other values in this place of pass 1, all is right: "
+            "what is cleared, and to what.");
+  EXPECT_EQ(sentenceOf({{1, "viewport", {}}}),
+            "Proved by drawing it again: with other values in this place of pass 2, all is right: "
+            "the viewport. The handed-out program has it right: a call of yours changes it, and "
+            "doesn't put it back.");
+  EXPECT_EQ(sentenceOf({{0, "clear", {"a.1"}}, {1, "depth", {"a.2"}}, {1, "blend", {"a.2"}}}),
+            "Proved by drawing it again: with other values in this place, all is right: what is "
+            "cleared, and to what, the depth test and the blending.");
+}
+
+} // namespace

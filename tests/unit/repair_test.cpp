@@ -1,0 +1,222 @@
+// What two tapes differ in, and the patches that make one of them as the other.
+
+#include "repair/align.hpp"
+#include "repair/compare.hpp"
+#include "repair/glsl.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace ggrade;
+using namespace ggrade::repair;
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Key;
+using testing::UnorderedElementsAre;
+
+namespace {
+
+const char* const kShader = R"(#version 410 core
+uniform float uBias; // not part of a function
+// float commented(float x) { return x; }
+float visibility(vec3 p) {
+  if (p.z < uBias) { return 1.0; }
+  return 0.0; /* } */
+}
+out vec4 oColor;
+void main() { oColor = vec4(visibility(vec3(0))); }
+)";
+
+std::vector<std::byte> blob(const std::string& text) {
+  const auto bytes = std::as_bytes(std::span(text));
+  return {bytes.begin(), bytes.end()};
+}
+
+json window() {
+  return {{"window", true}, {"drawBuffer", true}};
+}
+
+json texture(int image) {
+  return {{"attachments", {{"color0", {{"image", image}, {"level", 0}}}}}, {"drawBuffers", {0}}};
+}
+
+json clear(const json& target, int side) {
+  return {{"op", "clear"},
+          {"target", target},
+          {"state", {{"viewport", {0, 0, side, side}}, {"depthTest", true}}},
+          {"colors", true},
+          {"color", {0, 0, 0, 1}},
+          {"depths", true},
+          {"depth", 1},
+          {"stencils", false},
+          {"stencil", 0}};
+}
+
+/// A draw of the mesh that lies in this blob; the shader is blob 0.
+json draw(const json& target, int side, int mesh, float light = 1) {
+  return {{"op", "draw"},
+          {"target", target},
+          {"state", {{"viewport", {0, 0, side, side}}, {"depthTest", true}}},
+          {"mode", 4},
+          {"instances", 1},
+          {"calls", {{{"first", 0}, {"count", 3}}}},
+          {"program",
+           {{"stages", {{{"stage", "fragment"}, {"blob", 0}}}},
+            {"attributes", json::object()},
+            {"outputs", json::object()}}},
+          {"uniforms", {{"uLight", {{"type", 5126}, {"values", {light}}}}}},
+          {"textures", json::object()},
+          {"blocks", json::object()},
+          {"attributes", {{"position", {{{"blob", mesh}}}}}}};
+}
+
+json image(int id, int format) {
+  return {{"op", "image"},
+          {"id", id},
+          {"kind", "texture"},
+          {"target", 3553},
+          {"levels", {{{"level", 0}, {"format", format}, {"width", 8}, {"height", 8}}}}};
+}
+
+/// Objects into a texture, then into the window: the reference.
+tape::Tape reference(float light = 1) {
+  tape::Tape tape;
+  tape.blobs = {blob(kShader), blob("mesh"), blob("floor")};
+  tape.commands = {{{"op", "context"}},           image(0, 32856),     clear(texture(0), 8),
+                   draw(texture(0), 8, 1, light), clear(window(), 16), draw(window(), 16, 1),
+                   draw(window(), 16, 2),         {{"op", "swap"}}};
+  return tape;
+}
+
+std::vector<std::string> names(const Comparison& comparison) {
+  std::vector<std::string> all;
+  for (const Difference& one : comparison.differences)
+    all.push_back(std::to_string(one.unit.pass) + ' ' + one.unit.name);
+  return all;
+}
+
+TEST(Repair, EqualTapesDifferInNothing) {
+  EXPECT_THAT(names(compare(reference(), reference())), IsEmpty());
+}
+
+TEST(Repair, BlobsAreTheSameByWhatTheyHold) {
+  tape::Tape other = reference();
+  std::swap(other.blobs[1], other.blobs[2]);
+  for (json& command : other.commands)
+    if (command["op"] == "draw") {
+      json& mesh = command["attributes"]["position"][0]["blob"];
+      mesh = 3 - mesh.get<int>();
+    }
+  EXPECT_THAT(names(compare(other, reference())), IsEmpty());
+}
+
+TEST(Repair, NamesPassAndUnitAndPatchesThem) {
+  tape::Tape submission = reference();
+  for (const int i : {2, 3})
+    submission.commands[std::size_t(i)]["state"]["viewport"] = {0, 0, 16, 16};
+  submission.commands[5]["uniforms"]["uLight"]["values"] = {0.5};
+  const Comparison comparison = compare(submission, reference());
+  EXPECT_THAT(names(comparison), ElementsAre("0 viewport", "1 uniform uLight"));
+  json patched = comparison.tape.commands;
+  for (const Difference& one : comparison.differences) patched = patched.patch(one.patch);
+  // The reference's image stands before what the submission draws.
+  EXPECT_EQ(patched[3]["state"]["viewport"], json({0, 0, 8, 8}));
+  EXPECT_EQ(patched[4]["state"]["viewport"], json({0, 0, 8, 8}));
+  EXPECT_EQ(patched[6]["uniforms"]["uLight"]["values"], json({1.0}));
+}
+
+TEST(Repair, AFunctionIsAUnitAndSoIsTheShader) {
+  tape::Tape submission = reference();
+  std::string source = kShader;
+  source.replace(source.find("p.z < uBias"), 11, "p.z > uBias");
+  submission.blobs.push_back(blob(source));
+  submission.commands[3]["program"]["stages"][0]["blob"] = 3;
+  const Comparison comparison = compare(submission, reference());
+  ASSERT_THAT(names(comparison),
+              ElementsAre("0 function visibility in fragment", "0 shader fragment"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
+  const std::size_t changed = patched[4]["program"]["stages"][0]["blob"];
+  EXPECT_EQ(comparison.tape.blobs.at(changed), blob(kShader));
+}
+
+TEST(Repair, CommentsAndSpacesAreNoDifference) {
+  tape::Tape submission = reference();
+  std::string source = kShader;
+  source.replace(source.find("/* } */"), 7, "// nothing { more");
+  source.insert(source.find("return 1.0"), "\n\n   ");
+  submission.blobs[0] = blob(source);
+  EXPECT_THAT(names(compare(submission, reference())), IsEmpty());
+}
+
+TEST(Repair, ADrawThatLacksIsPutBackAsAWhole) {
+  tape::Tape submission = reference();
+  submission.commands.erase(6);
+  const Comparison comparison = compare(submission, reference());
+  ASSERT_THAT(names(comparison), ElementsAre("1 draws"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
+  EXPECT_EQ(patched[5]["op"], "group");
+  EXPECT_EQ(patched[5]["commands"].size(), 3U);
+}
+
+TEST(Repair, AClearThatLacksAMaskIsThatBuffersFault) {
+  tape::Tape submission = reference();
+  submission.commands[2]["depths"] = false;
+  EXPECT_THAT(names(compare(submission, reference())), ElementsAre("0 clear depth"));
+}
+
+TEST(Repair, AnotherFormatIsTheTargetsFault) {
+  tape::Tape submission = reference();
+  submission.commands[1] = image(0, 34842);
+  const Comparison comparison = compare(submission, reference());
+  ASSERT_THAT(names(comparison), ElementsAre("0 target"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
+  EXPECT_EQ(patched[2]["levels"][0]["format"], 32856);
+  EXPECT_EQ(patched[2]["id"], 0);
+}
+
+TEST(Repair, PassesThatLackAreLeftOut) {
+  tape::Tape submission = reference();
+  for (int i = 0; i < 3; ++i) submission.commands.erase(1);
+  const Comparison comparison = compare(submission, reference());
+  EXPECT_THAT(names(comparison), IsEmpty());
+  EXPECT_THAT(comparison.passes, ElementsAre(testing::Pair(0, 1)));
+}
+
+TEST(Repair, WhatIsNoTapeIsAnError) {
+  tape::Tape empty;
+  EXPECT_THROW(compare(empty, reference()), json::exception);
+  tape::Tape odd = reference();
+  odd.commands[3].erase("uniforms");
+  EXPECT_THROW(compare(odd, reference()), json::exception);
+  tape::Tape beyond = reference();
+  beyond.commands[3]["program"]["stages"][0]["blob"] = 99;
+  EXPECT_THROW(compare(beyond, reference()), std::exception);
+}
+
+TEST(Repair, TooManyDrawsAreNotCompared) {
+  tape::Tape many = reference();
+  for (int i = 0; i < 2100; ++i)
+    many.commands.insert(many.commands.end() - 1, draw(window(), 16, 1));
+  EXPECT_THROW(compare(many, reference()), std::runtime_error);
+}
+
+TEST(Repair, FunctionsOfAShader) {
+  const auto functions = functionsOf(kShader);
+  EXPECT_THAT(functions, UnorderedElementsAre(Key("visibility"), Key("main")));
+  const std::string source = kShader;
+  const GlslFunction& one = functions.at("visibility");
+  EXPECT_TRUE(source.substr(one.begin).starts_with("float visibility"));
+  EXPECT_EQ(source[one.end - 1], '}');
+  EXPECT_EQ(one.words, "float visibility(vec3 p){if(p.z<uBias){return 1.0;}return 0.0;}");
+  EXPECT_EQ(restOf(source), "#version 410 core uniform float uBias;out vec4 oColor;");
+}
+
+TEST(Repair, OverloadedAndBrokenSources) {
+  EXPECT_THAT(functionsOf("int f(int a) { return a; }\nint f(float a) { return 0; }"),
+              UnorderedElementsAre(Key("f"), Key("f 2")));
+  EXPECT_THAT(functionsOf("void main() { if (true) {"), UnorderedElementsAre(Key("main")));
+  EXPECT_THAT(functionsOf("layout(location = 0) in vec3 p; struct S { int a; }; ((("), IsEmpty());
+  EXPECT_THAT(functionsOf(""), IsEmpty());
+}
+
+} // namespace
