@@ -103,7 +103,9 @@ public:
     for (const std::size_t scene : lossy)
       if (scene != lossy.front() && !record(scene, why)) return {};
     std::vector<ProvedCause> causes;
-    for (const Unit& unit : found) causes.push_back({unit.pass, unit.name, own_.ownersOf(unit)});
+    for (const Unit& unit : found)
+      for (const repair::Difference& one : scenes_.front().comparison.differences)
+        if (one.unit == unit) causes.push_back({unit.pass, unit.name, own_.ownersOf(one)});
     settle(causes);
     return causes;
   }
@@ -388,7 +390,8 @@ void OwnTapes::learnOwners() {
       hashOf(referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
   if (fs::exists(file)) {
     for (const json& one : readJson(file))
-      changedBy_[{one.at("pass"), one.at("unit")}] = one.at("todos").get<std::set<std::string>>();
+      changedBy_[{one.at("pass"), one.at("unit")}] =
+          one.at("todos").get<std::map<std::string, std::set<std::string>>>();
     return;
   }
   const tape::Tape& right = reference(0);
@@ -400,14 +403,14 @@ void OwnTapes::learnOwners() {
       tape::Tape after = record({solutionFolder_, {}, filled}, scene, references_.ownShaders);
       const repair::Comparison step = repair::compare(before, after);
       const auto inReference = repair::compare(after, right).passes;
-      const auto changed = [&](const Unit& unit) {
+      const auto changed = [&](const Unit& unit, const std::set<std::string>& lines) {
         if (const auto pass = inReference.find(unit.pass); pass != inReference.end())
-          changedBy_[{pass->second, unit.name}].insert(todo.id);
+          changedBy_[{pass->second, unit.name}][todo.id] = lines;
       };
-      for (const repair::Difference& one : step.differences) changed(one.unit);
+      for (const repair::Difference& one : step.differences) changed(one.unit, one.lacks);
       // What the step draws that was not there before is its work, whole.
       for (const Unit& unit : repair::compare(after, after).compared)
-        if (!step.compared.contains(unit)) changed(unit);
+        if (!step.compared.contains(unit)) changed(unit, {});
       before = std::move(after);
     }
   json kept = json::array();
@@ -418,12 +421,21 @@ void OwnTapes::learnOwners() {
   keep(work.path() / "owners", file);
 }
 
-std::set<std::string> OwnTapes::ownersOf(const Unit& unit) {
+std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
   const std::lock_guard lock(owners_);
   if (!learned_) learnOwners();
   learned_ = true;
-  const auto found = changedBy_.find(unit);
-  return found == changedBy_.end() ? std::set<std::string>{} : found->second;
+  const auto found = changedBy_.find(difference.unit);
+  if (found == changedBy_.end()) return {};
+  std::set<std::string> all, byLine;
+  for (const auto& [todo, lines] : found->second) {
+    all.insert(todo);
+    if (std::ranges::any_of(lines, [&](const std::string& line) {
+          return difference.lacks.contains(line);
+        }))
+      byLine.insert(todo);
+  }
+  return byLine.empty() ? all : byLine;
 }
 
 std::vector<results::ProvedCause> repairFaults(const Target& target, OwnTapes& own, Judge& judge,

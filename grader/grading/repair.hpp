@@ -27,9 +27,9 @@ public:
   /// The reference's, in a scene of the plan.
   const tape::Tape& reference(std::size_t scene);
 
-  /// The TODOs whose work a unit is: the steps of the handout that change it. None: it is right
-  /// from the start, and no step changes it.
-  std::set<std::string> ownersOf(const repair::Unit& unit);
+  /// The TODOs whose work it is: the steps of the handout that change this unit (of a function: that
+  /// write a line of those that it lacks). None: no step changes it, it is right from the start.
+  std::set<std::string> ownersOf(const repair::Difference& difference);
 
 private:
   tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene,
@@ -41,7 +41,8 @@ private:
   const References& references_;
   std::mutex mutex_, owners_;
   std::map<std::size_t, tape::Tape> reference_;
-  std::map<repair::Unit, std::set<std::string>> changedBy_; ///< TODOs
+  /// TODOs, each with the lines that it adds to a function.
+  std::map<repair::Unit, std::map<std::string, std::set<std::string>>> changedBy_;
   bool learned_ = false;
 };
 

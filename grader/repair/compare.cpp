@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <set>
 
@@ -67,7 +68,8 @@ public:
     for (const PassPair& pair : pairs_) comparePass(pair);
     for (const PassPair& pair : pairs_)
       if (pair.other.frame == 0) result_.passes[pair.one.ordinal] = pair.other.ordinal;
-    for (auto& [unit, patch] : found_) result_.differences.push_back({unit, std::move(patch)});
+    for (auto& [unit, patch] : found_)
+      result_.differences.push_back({unit, std::move(patch), lacks_[unit]});
     std::ranges::stable_sort(result_.differences, {}, [](const Difference& one) {
       const std::string& name = one.unit.name;
       return name.starts_with("shader") ? 2 : name == "draws" ? 3 : name == "target" ? 1 : 0;
@@ -202,6 +204,9 @@ private:
         result_.compared.insert({pair.other.ordinal, "function " + name + " in " + stage});
         if (found->second.words == function.words) continue;
         differs = true;
+        auto& lacks = lacks_[{pair.other.ordinal, "function " + name + " in " + stage}];
+        std::ranges::set_difference(function.lines, found->second.lines,
+                                    std::inserter(lacks, lacks.end()));
         std::string changed = source;
         changed.replace(found->second.begin, found->second.end - found->second.begin,
                         right.substr(function.begin, function.end - function.begin));
@@ -291,6 +296,7 @@ private:
   std::vector<PassPair> pairs_;
   std::map<std::uint64_t, std::uint64_t> same_;
   std::map<Unit, json> found_;
+  std::map<Unit, std::set<std::string>> lacks_;
   std::map<std::string, std::uint64_t> made_;
 };
 

@@ -22,6 +22,8 @@ struct Unit {
 struct Difference {
   Unit unit;
   nlohmann::json patch = nlohmann::json::array(); ///< RFC 6902, of Comparison::tape's commands
+  /// Of a function: the reference's lines that the submission's lacks.
+  std::set<std::string> lacks{};
 };
 
 struct Comparison {

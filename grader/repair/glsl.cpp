@@ -84,6 +84,12 @@ std::map<std::string, GlslFunction> functionsOf(const std::string& source) {
     function.begin = declarationStart(text, nameStart);
     function.end = std::min(closing(text, body, '{', '}') + 1, text.size());
     function.words = wordsOf(text.substr(function.begin, function.end - function.begin));
+    for (std::size_t at = function.begin; at < function.end;) {
+      const std::size_t line = std::min(text.find('\n', at), function.end);
+      if (std::string words = wordsOf(text.substr(at, line - at)); words.size() > 1)
+        function.lines.insert(std::move(words));
+      at = line + 1;
+    }
     const std::string name = text.substr(nameStart, nameEnd - nameStart);
     std::string key = name;
     for (int k = 2; functions.contains(key); ++k) key = name + ' ' + std::to_string(k);

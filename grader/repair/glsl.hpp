@@ -3,6 +3,7 @@
 /// A shader's source as its functions and the rest.
 
 #include <map>
+#include <set>
 #include <string>
 
 namespace ggrade::repair {
@@ -11,6 +12,7 @@ namespace ggrade::repair {
 struct GlslFunction {
   std::size_t begin = 0, end = 0; ///< in the source
   std::string words;              ///< its text without comments, one space between words
+  std::set<std::string> lines{};  ///< likewise, line by line
 };
 
 /// By name; functions of one name are one entry each: "lit", "lit 2".
