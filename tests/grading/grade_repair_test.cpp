@@ -1,0 +1,69 @@
+// Each fault once: what was wrong is proved by drawing it again, costs the points of its own step,
+// and is told.
+
+#include "tool.hpp"
+
+#include <gmock/gmock.h>
+
+using namespace tool;
+using ggrade::results::Result;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace {
+
+/// One grader for all: it keeps the references and their tapes.
+Result repaired(const std::string& file, const std::string& from, const std::string& to) {
+  static const ggrade::Target target = ggrade::findTarget(kSource / "assignments", "mirror");
+  static ggrade::grading::Grader grader = [] {
+    const fs::path solutions = kSource / "solutions/floor";
+    ggrade::grading::GraderOptions options;
+    options.repair = true;
+    options.pictures = options.twice = false;
+    return ggrade::grading::Grader(target, solutions,
+                                   ggrade::grading::drawScenes(target, solutions), options);
+  }();
+  Submission submission = Submission::solution();
+  submission.replace(file, from, to);
+  return grader.gradeTrusted(submission.path());
+}
+
+double lost(const Result& result, const std::string& id) {
+  for (const auto& item : result.items)
+    if (item.id == id)
+      return item.kind == ggrade::results::ItemKind::keep ? -item.earned
+                                                          : item.points - item.earned;
+  ADD_FAILURE() << "no item " << id;
+  return 0;
+}
+
+double lostInAll(const Result& result) {
+  double all = 0;
+  for (const auto& item : result.items)
+    if (item.kind != ggrade::results::ItemKind::bonus) all += lost(result, item.id);
+  return all;
+}
+
+TEST(LongRepair, AStateThatIsLeftCostsOnceAndNoMoreThanTen) {
+  const Result result = repaired("mirror.hpp", "glViewport(0, 0, window.x, window.y);",
+                                 "glViewport(0, 0, window.y, window.y);");
+  ASSERT_EQ(result.causes.size(), 1U) << result.causesSought;
+  EXPECT_EQ(result.causes[0].pass, 1U);
+  EXPECT_EQ(result.causes[0].unit, "viewport");
+  EXPECT_THAT(result.causes[0].todos, IsEmpty());
+  EXPECT_NEAR(lostInAll(result), 10, 0.01);
+  ASSERT_EQ(result.diagnoses.size(), 1U);
+  EXPECT_THAT(result.diagnoses[0].text, HasSubstr("all is right: the viewport."));
+}
+
+TEST(Repair, ALineOfAShaderCostsTheStepThatWritesIt) {
+  const Result result = repaired("mirror.vert", "uClip ? world.y : 1", "uClip ? -world.y : 1");
+  ASSERT_EQ(result.causes.size(), 1U) << result.causesSought;
+  EXPECT_EQ(result.causes[0].unit, "function main in vertex");
+  EXPECT_THAT(result.causes[0].todos, ElementsAre("mirror.6"));
+  EXPECT_NEAR(lost(result, "mirror.clip"), 15, 0.01);
+  EXPECT_NEAR(lostInAll(result), 15, 0.01);
+}
+
+} // namespace
