@@ -225,7 +225,7 @@ void nameUnsteady(const Rendering& first, const Rendering& again, results::Resul
 
 /// One fault can have cost more than once: more than one item lost something.
 bool isWorthRepair(const results::Result& result) {
-  if (result.outcome != Outcome::graded) return false;
+  if (!report::scored(result.outcome)) return false;
   return std::ranges::count_if(result.items, [](const results::Item& item) {
            return item.kind != results::ItemKind::bonus &&
                   item.earned < (item.kind == results::ItemKind::keep ? 0 : item.points);

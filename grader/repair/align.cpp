@@ -1,6 +1,7 @@
 #include "repair/align.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -24,20 +25,23 @@ bool movesPixels(const json& command) {
 /// Longer rows than this are not compared: the table has this many squared.
 constexpr std::size_t kLongest = 2000;
 
-/// The longest common subsequence of 0 to a-1 and 0 to b-1, as pairs.
+/// Pairs of 0 to a-1 and 0 to b-1 in order, so that the sum of `weight` (0: no pair) is largest.
 std::vector<std::pair<std::size_t, std::size_t>>
-common(std::size_t a, std::size_t b, const std::function<bool(std::size_t, std::size_t)>& alike) {
+common(std::size_t a, std::size_t b, const std::function<int(std::size_t, std::size_t)>& weight) {
   if (a > kLongest || b > kLongest) throw std::runtime_error("it draws too often to be compared");
-  std::vector<std::vector<std::size_t>> length(a + 1, std::vector<std::size_t>(b + 1, 0));
+  std::vector<std::vector<int>> sum(a + 1, std::vector<int>(b + 1, 0));
+  std::vector<std::vector<std::uint8_t>> weights(a, std::vector<std::uint8_t>(b, 0));
   for (std::size_t i = a; i-- > 0;)
-    for (std::size_t k = b; k-- > 0;)
-      length[i][k] =
-          alike(i, k) ? length[i + 1][k + 1] + 1 : std::max(length[i + 1][k], length[i][k + 1]);
+    for (std::size_t k = b; k-- > 0;) {
+      const int one = weight(i, k);
+      weights[i][k] = std::uint8_t(one);
+      sum[i][k] = std::max({sum[i + 1][k], sum[i][k + 1], one > 0 ? sum[i + 1][k + 1] + one : 0});
+    }
   std::vector<std::pair<std::size_t, std::size_t>> pairs;
   for (std::size_t i = 0, k = 0; i < a && k < b;) {
-    if (alike(i, k) && length[i][k] == length[i + 1][k + 1] + 1)
+    if (weights[i][k] > 0 && sum[i][k] == sum[i + 1][k + 1] + weights[i][k])
       pairs.emplace_back(i++, k++);
-    else if (length[i + 1][k] >= length[i][k + 1])
+    else if (sum[i + 1][k] >= sum[i][k + 1])
       ++i;
     else
       ++k;
@@ -59,25 +63,31 @@ json meshOf(const json& draw) {
   return mesh;
 }
 
-std::vector<json> meshesOf(const json& commands, const Pass& pass) {
-  std::vector<json> meshes;
-  for (const std::size_t i : pass.commands) meshes.push_back(meshOf(commands[i]));
-  return meshes;
+/// What a command draws into, in a few words.
+std::string placeOf(const json& command) {
+  if (!command.contains("target")) return "image";
+  const json& target = command["target"];
+  if (target.contains("window")) return "window";
+  return std::ranges::any_of(target.at("drawBuffers"),
+                             [](const json& buffer) { return !buffer.is_null(); })
+             ? "color"
+             : "depth";
 }
 
-/// Passes are alike that draw into the window, or into attachments of the same points.
-bool alikePasses(const json& a, const json& b) {
-  if (!drawsOrClears(a)) return a.at("op") == b.at("op");
-  if (!drawsOrClears(b)) return false;
-  const json &one = a.at("target"), &other = b.at("target");
-  const bool window = one.contains("window");
-  if (window != other.contains("window")) return false;
-  if (window) return true;
-  const auto hasColor = [](const json& target) {
-    const json& buffers = target.at("drawBuffers");
-    return std::ranges::any_of(buffers, [](const json& buffer) { return !buffer.is_null(); });
-  };
-  return hasColor(one) == hasColor(other);
+/// A command as it is compared with others.
+struct Seen {
+  json mesh;
+  std::string place;
+  json shaders;
+  Seen(const json& command)
+      : mesh(meshOf(command)), place(placeOf(command)),
+        shaders(command.contains("program") ? command["program"].at("stages") : json()) {}
+};
+
+/// 0: not the same. What is drawn counts first, then where, then with which shaders.
+int likeness(const Seen& a, const Seen& b) {
+  if (a.mesh != b.mesh) return 0;
+  return 4 + 2 * (a.place == b.place) + (a.shaders == b.shaders);
 }
 
 std::size_t draws(const json& commands, const Pass& pass) {
@@ -113,28 +123,45 @@ std::vector<Pass> passesOf(const json& commands) {
 
 std::vector<PassPair> align(const json& one, const json& other) {
   const std::vector<Pass> a = passesOf(one), b = passesOf(other);
-  const auto alike = [&](std::size_t i, std::size_t k) {
-    return a[i].frame == b[k].frame && alikePasses(one[a[i].commands[0]], other[b[k].commands[0]]);
-  };
   std::vector<PassPair> pairs;
-  for (const auto& [i, k] : common(a.size(), b.size(), alike)) {
-    PassPair pair{a[i], b[k], {}};
-    const auto &from = a[i].commands, &to = b[k].commands;
+  for (const Pass& pass : b) pairs.push_back({pass, {}});
+  std::size_t frames = 0;
+  for (const auto* passes : {&a, &b})
+    for (const Pass& pass : *passes) frames = std::max(frames, pass.frame + 1);
+  for (std::size_t frame = 0; frame < frames; ++frame) {
+    std::vector<std::size_t> from, to, passOf; // passOf: index in `pairs`
+    for (const Pass& pass : a)
+      if (pass.frame == frame) from.insert(from.end(), pass.commands.begin(), pass.commands.end());
+    for (std::size_t i = 0; i < b.size(); ++i)
+      if (b[i].frame == frame)
+        for (const std::size_t command : b[i].commands) {
+          to.push_back(command);
+          passOf.push_back(i);
+        }
+    if (to.empty()) continue;
+    std::vector<Seen> drawn, wanted;
+    for (const std::size_t i : from) drawn.emplace_back(one[i]);
+    for (const std::size_t i : to) wanted.emplace_back(other[i]);
     std::size_t x = 0, y = 0;
-    const std::vector<json> meshes = meshesOf(one, a[i]), others = meshesOf(other, b[k]);
-    const auto same = common(from.size(), to.size(),
-                             [&](std::size_t p, std::size_t q) { return meshes[p] == others[q]; });
     const auto alone = [&](std::size_t endX, std::size_t endY) {
-      for (; x < endX; ++x) pair.commands.push_back({from[x], {}});
-      for (; y < endY; ++y) pair.commands.push_back({{}, to[y]});
+      // What the first alone draws stands in the pass that it comes before.
+      for (; x < endX; ++x)
+        pairs[passOf[std::min(endY, to.size() - 1)]].commands.push_back({from[x], {}});
+      for (; y < endY; ++y) pairs[passOf[y]].commands.push_back({{}, to[y]});
     };
-    for (const auto& [p, q] : same) {
+    for (const auto& [p, q] : common(from.size(), to.size(), [&](std::size_t p, std::size_t q) {
+           return likeness(drawn[p], wanted[q]);
+         })) {
       alone(p, q);
-      pair.commands.push_back({from[x++], to[y++]});
+      pairs[passOf[y]].commands.push_back({from[x++], to[y]});
+      ++y;
     }
     alone(from.size(), to.size());
-    pairs.push_back(std::move(pair));
   }
+  std::erase_if(pairs, [](const PassPair& pair) {
+    return std::ranges::none_of(pair.commands,
+                                [](const CommandPair& both) { return both.one && both.other; });
+  });
   return pairs;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 /// \file
-/// Which command of one tape does what which command of another does: passes by what they draw
-/// into, draws by what they draw.
+/// Which command of one tape does what which command of another does.
 
 #include <nlohmann/json.hpp>
 
@@ -25,12 +24,15 @@ struct CommandPair {
   std::optional<std::size_t> one, other; ///< indices; nothing: the other tape alone has it
 };
 
+/// A pass of the other tape, with what does the same in the first: what is drawn tells, wherever it
+/// is drawn into.
 struct PassPair {
-  Pass one, other;
+  Pass other;
   std::vector<CommandPair> commands; ///< in the order in which they come
 };
 
-/// Passes that do the same in both tapes, in order.
+/// All passes of the other tape of which the first has something, in order. Throws
+/// std::runtime_error for frames of more than some thousand draws.
 std::vector<PassPair> align(const nlohmann::json& one, const nlohmann::json& other);
 
 } // namespace ggrade::repair

@@ -66,8 +66,13 @@ public:
     pairs_ = align(result_.tape.commands, reference_);
     mapImages();
     for (const PassPair& pair : pairs_) comparePass(pair);
+    std::map<std::size_t, std::size_t> ordinals; // of commands
+    for (const Pass& pass : passesOf(result_.tape.commands))
+      for (const std::size_t command : pass.commands) ordinals[command] = pass.ordinal;
     for (const PassPair& pair : pairs_)
-      if (pair.other.frame == 0) result_.passes[pair.one.ordinal] = pair.other.ordinal;
+      for (const CommandPair& both : pair.commands)
+        if (pair.other.frame == 0 && both.one && both.other)
+          result_.passes.try_emplace(ordinals.at(*both.one), pair.other.ordinal);
     for (auto& [unit, patch] : found_)
       result_.differences.push_back({unit, std::move(patch), lacks_[unit]});
     std::ranges::stable_sort(result_.differences, {}, [](const Difference& one) {
@@ -92,19 +97,33 @@ private:
       forEach(command, "blob", [&](json& one) { one = number.at(one.get<std::size_t>()); });
   }
 
-  /// Images are the same that are attached at the same point of passes that do the same, or hold
-  /// the same texels from the start.
+  /// Images are the same that are attached at the same point of passes that do the same, that the
+  /// same sampler reads there, or that hold the same texels from the start.
   void mapImages() {
     std::map<std::uint64_t, std::uint64_t> same; // the reference's: the submission's
     json& commands = result_.tape.commands;
-    for (const PassPair& pair : pairs_) {
-      const json &a = commands[pair.one.commands[0]], &b = reference_[pair.other.commands[0]];
-      if (!a.contains("target") || !b.contains("target") || a["target"].contains("window"))
-        continue;
-      for (const auto& [point, one] : b["target"].at("attachments").items())
-        if (const json& own = a["target"].at("attachments"); own.contains(point))
-          same.try_emplace(one.at("image"), own[point].at("image"));
-    }
+    for (const PassPair& pair : pairs_)
+      for (const CommandPair& both : pair.commands) {
+        if (!both.one || !both.other || !reference_[*both.other].contains("target")) continue;
+        const json &a = commands[*both.one].at("target"), &b = reference_[*both.other]["target"];
+        if (a.contains("window") || b.contains("window")) continue;
+        for (const auto& [point, one] : b.at("attachments").items())
+          if (const json& own = a.at("attachments"); own.contains(point))
+            same.try_emplace(one.at("image"), own[point].at("image"));
+      }
+    // Or that the same sampler reads.
+    for (const PassPair& pair : pairs_)
+      for (const CommandPair& both : pair.commands) {
+        if (!both.one || !both.other || reference_[*both.other].at("op") != "draw") continue;
+        const json& own = commands[*both.one].at("textures");
+        for (const auto& [name, all] : reference_[*both.other].at("textures").items())
+          for (std::size_t i = 0; own.contains(name) && i < std::min(all.size(), own[name].size());
+               ++i)
+            if (all[i].contains("image") && own[name][i].contains("image") &&
+                std::ranges::none_of(
+                    same, [&](const auto& one) { return own[name][i]["image"] == one.second; }))
+              same.try_emplace(all[i]["image"], own[name][i]["image"]);
+      }
     const auto definition = [](json command) {
       command.erase("id");
       command.erase("parameters");
