@@ -59,7 +59,15 @@ public:
     for (const json& command : reference_)
       if (command.at("op") == "image" && defined.insert(command["id"]).second)
         commands.push_back(command);
-    commands.insert(commands.end(), own.begin() + 1, own.end());
+    // Nothing uses an image before it is defined first: so a patch may, if that comes first of all.
+    json rest = json::array();
+    defined.clear();
+    for (std::size_t i = 1; i < own.size(); ++i)
+      if (own[i].at("op") == "image" && defined.insert(own[i].at("id")).second)
+        commands.push_back(own[i]);
+      else
+        rest.push_back(own[i]);
+    commands.insert(commands.end(), rest.begin(), rest.end());
   }
 
   Comparison run() {

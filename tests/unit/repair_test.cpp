@@ -174,6 +174,24 @@ TEST(Repair, AnotherFormatIsTheTargetsFault) {
   EXPECT_EQ(patched[2]["id"], 0);
 }
 
+TEST(Repair, APassInTheWrongPlaceIsTheRightPass) {
+  tape::Tape submission = reference(), right = reference();
+  right.commands[6]["textures"]["uReflection"] = {{{"unit", 0}, {"image", 0}}};
+  submission.commands[6]["textures"]["uReflection"] = {{{"unit", 0}, {"image", 0}}};
+  for (const std::size_t i : {2U, 3U}) submission.commands[i]["target"] = window();
+  // It is first used, and so defined, where it is sampled.
+  const json defined = submission.commands[1];
+  submission.commands.erase(1);
+  submission.commands.insert(submission.commands.begin() + 5, defined);
+  const Comparison comparison = compare(submission, right);
+  ASSERT_THAT(names(comparison), ElementsAre("0 target"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
+  EXPECT_EQ(patched[2]["op"], "image");
+  EXPECT_EQ(patched[2]["id"], 0);
+  EXPECT_EQ(patched[3]["target"], texture(0));
+  EXPECT_EQ(patched[4]["target"], texture(0));
+}
+
 TEST(Repair, PassesThatLackAreLeftOut) {
   tape::Tape submission = reference();
   for (int i = 0; i < 3; ++i) submission.commands.erase(1);
