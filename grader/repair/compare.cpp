@@ -124,13 +124,15 @@ private:
       for (const CommandPair& both : pair.commands) {
         if (!both.one || !both.other || reference_[*both.other].at("op") != "draw") continue;
         const json& own = commands[*both.one].at("textures");
-        for (const auto& [name, all] : reference_[*both.other].at("textures").items())
-          for (std::size_t i = 0; own.contains(name) && i < std::min(all.size(), own[name].size());
-               ++i)
-            if (all[i].contains("image") && own[name][i].contains("image") &&
-                std::ranges::none_of(
-                    same, [&](const auto& one) { return own[name][i]["image"] == one.second; }))
-              same.try_emplace(all[i]["image"], own[name][i]["image"]);
+        for (const auto& [name, all] : reference_[*both.other].at("textures").items()) {
+          const json ownAll = own.value(name, json::array());
+          for (std::size_t i = 0; i < std::min(all.size(), ownAll.size()); ++i) {
+            if (!all[i].contains("image") || !ownAll[i].contains("image")) continue;
+            const json image = ownAll[i]["image"];
+            if (std::ranges::none_of(same, [&](const auto& one) { return image == one.second; }))
+              same.try_emplace(all[i]["image"], image);
+          }
+        }
       }
     const auto definition = [](json command) {
       command.erase("id");

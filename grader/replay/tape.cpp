@@ -22,14 +22,14 @@ public:
   Limited(json& to, std::size_t& values) : Base(to, false), values_(values) {}
 
   bool start_object(std::size_t count) {
-    return ++depth_ <= kMaxDepth && isFew() && Base::start_object(count);
+    return ++depth_ <= kMaxDepth && isFew() && isPossible(count) && Base::start_object(count);
   }
   bool end_object() {
     --depth_;
     return Base::end_object();
   }
   bool start_array(std::size_t count) {
-    return ++depth_ <= kMaxDepth && isFew() && Base::start_array(count);
+    return ++depth_ <= kMaxDepth && isFew() && isPossible(count) && Base::start_array(count);
   }
   bool end_array() {
     --depth_;
@@ -51,6 +51,10 @@ public:
 
 private:
   bool isFew() { return ++values_ <= kMaxValues; }
+  /// -1: a count that isn't said. The base class throws for what no memory holds.
+  static bool isPossible(std::size_t count) {
+    return count == static_cast<std::size_t>(-1) || count <= kMaxValues;
+  }
   std::size_t depth_ = 0;
   std::size_t& values_;
 };

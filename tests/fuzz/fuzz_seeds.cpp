@@ -2,6 +2,7 @@
 #include "../hostile/intake_archives.hpp"
 
 #include "intake/bundle.hpp"
+#include "sample_tape.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -35,6 +36,11 @@ Seeds archives() {
                                  Compression::xz, Compression::zstd})
     all.push_back(compressed(tar, kind));
   return all;
+}
+
+std::string tape() {
+  const std::vector<std::byte> bytes = ggrade::tape::write(sample::reference(0.5F));
+  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
 std::string bundle() {
@@ -97,6 +103,7 @@ const std::map<std::string, Seeds> kSeeds = {
       std::string("\x00", 1) + R"({"materials": ["object"], "scene": {"ring.count":
 {"type": "integer", "range": [0, 100], "default": 6, "about": "how many"}}})"}},
     {"fuzz_passes", {std::string("\x05\x01\x10\x00\x01\x07\x02", 7), ""}},
+    {"fuzz_tape", {tape()}},
     {"fuzz_trace", {std::string("\x01\x40\x00\x07", 4), std::string("\x00GGT1", 5)}}};
 
 } // namespace

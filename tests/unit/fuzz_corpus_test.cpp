@@ -24,6 +24,7 @@ int fuzz_overrides(const std::uint8_t*, std::size_t);
 int fuzz_passes(const std::uint8_t*, std::size_t);
 int fuzz_record(const std::uint8_t*, std::size_t);
 int fuzz_scene(const std::uint8_t*, std::size_t);
+int fuzz_tape(const std::uint8_t*, std::size_t);
 int fuzz_trace(const std::uint8_t*, std::size_t);
 int fuzz_unpack(const std::uint8_t*, std::size_t);
 int fuzz_worksheet(const std::uint8_t*, std::size_t);
@@ -42,6 +43,7 @@ const std::map<std::string, int (*)(const std::uint8_t*, std::size_t)> kFuzzers 
     {"fuzz_passes", fuzz_passes},
     {"fuzz_record", fuzz_record},
     {"fuzz_scene", fuzz_scene},
+    {"fuzz_tape", fuzz_tape},
     {"fuzz_trace", fuzz_trace},
     {"fuzz_unpack", fuzz_unpack},
     {"fuzz_worksheet", fuzz_worksheet}};

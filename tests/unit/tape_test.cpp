@@ -89,6 +89,11 @@ TEST(Tape, RefusesWhatIsNestedWithoutEnd) {
   expectRefused(entry(2, std::vector<std::uint8_t>(1 << 20, 0x81), 1 << 20), "no CBOR");
 }
 
+TEST(Tape, RefusesCountsThatNoMemoryHolds) {
+  expectRefused(entry(2, {0xbb, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xf0}, 9), "no CBOR");
+  expectRefused(entry(2, {0x9b, 0x7f, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff}, 9), "no CBOR");
+}
+
 TEST(Tape, RefusesMoreThanItsLimits) {
   std::vector<std::byte> bytes;
   for (std::uint32_t i = 0; i <= tape::kMaxBlobs; ++i) {
