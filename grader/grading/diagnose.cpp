@@ -145,7 +145,8 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
     return observed ? std::vector{*observed} : std::vector<Diagnosis>{};
   std::vector<Diagnosis> all;
   for (const Part& part : target.parts) {
-    const std::vector<std::string> lost = lostItems(graded.asDrawn, part);
+    const std::vector<std::string> lost =
+        lostItems(graded.asDrawn.empty() ? result.items : graded.asDrawn, part);
     if (lost.empty()) continue;
     // Seen, not concluded: no picture can be surer. That OpenGL reports errors says little.
     if (observed && observed->id != results::name(results::Outcome::glError)) {

@@ -467,11 +467,11 @@ void Grader::judge(Graded& graded) {
     options_.begins(Runs::none);
     if (runs == 0) result.timings.pop_back();
   }
-  graded.asDrawn = result.items;
   if (!problem.empty()) {
     result.outcome = Outcome::notGradable;
     result.detail = problem;
   } else if (options_.repair && isWorthRepair(result)) {
+    graded.asDrawn = result.items;
     const Stopwatch time(result, "repair");
     options_.begins(Runs::hidden);
     std::call_once(taped_, [&] { tapes_.emplace(target_, solutionFolder_, references()); });
