@@ -188,12 +188,6 @@ private:
       if (isAfter(item->id, id)) item->carried.push_back(declared_.at(id).output);
   }
 
-  static std::string worstMessage(const results::Item& item) {
-    const auto worst = std::ranges::min_element(item.credits, {}, &results::SceneCredit::credit);
-    return fmt::format("{}: {}", worst->scene,
-                       item.messages[std::size_t(worst - item.credits.begin())]);
-  }
-
   Judge& judge_;
   Graded& graded_;
   std::vector<results::Item>& items_;
@@ -206,6 +200,12 @@ private:
 };
 
 } // namespace
+
+std::string worstMessage(const results::Item& item) {
+  const auto worst = std::ranges::min_element(item.credits, {}, &results::SceneCredit::credit);
+  return fmt::format("{}: {}", worst->scene,
+                     item.messages[std::size_t(worst - item.credits.begin())]);
+}
 
 int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned threads,
                  const std::function<void()>& begins, std::string& problem) {

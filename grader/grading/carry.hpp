@@ -20,4 +20,7 @@ namespace ggrade::grading {
 int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned threads,
                  const std::function<void()>& begins, std::string& problem);
 
+/// What was seen in the item's worst scene, with the scene's name. The item has credits.
+std::string worstMessage(const results::Item& item);
+
 } // namespace ggrade::grading

@@ -1,6 +1,7 @@
 #include "grading/repair.hpp"
 
 #include "diagnosis/proved.hpp"
+#include "grading/carry.hpp"
 #include "grading/grade.hpp"
 #include "grading/replay.hpp"
 #include "report/write_file.hpp"
@@ -337,6 +338,7 @@ private:
     }
     if (item->earned >= (item->kind == results::ItemKind::keep ? 0 : item->points))
       item->cause = item->step = "";
+    item->message = worstMessage(*item);
     item->repaired.clear();
     for (const ProvedCause& cause : causes)
       if (!isWorkOf(cause, *item)) item->repaired.push_back(diagnosis::nameOf(cause));
@@ -430,9 +432,8 @@ std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
   std::set<std::string> all, byLine;
   for (const auto& [todo, lines] : found->second) {
     all.insert(todo);
-    if (std::ranges::any_of(lines, [&](const std::string& line) {
-          return difference.lacks.contains(line);
-        }))
+    if (std::ranges::any_of(
+            lines, [&](const std::string& line) { return difference.lacks.contains(line); }))
       byLine.insert(todo);
   }
   return byLine.empty() ? all : byLine;

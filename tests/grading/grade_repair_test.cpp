@@ -63,6 +63,10 @@ TEST(Repair, ALineOfAShaderCostsTheStepThatWritesIt) {
   EXPECT_EQ(result.causes[0].unit, "function main in vertex");
   EXPECT_THAT(result.causes[0].todos, ElementsAre("mirror.6"));
   EXPECT_NEAR(lost(result, "mirror.clip"), 15, 0.01);
+  const auto& shading =
+      *std::ranges::find(result.items, "mirror.shading", &ggrade::results::Item::id);
+  EXPECT_THAT(shading.repaired, ElementsAre("main() in the vertex shader"));
+  EXPECT_THAT(shading.message, HasSubstr("reflection's colours: 0.0%"));
   EXPECT_NEAR(lostInAll(result), 15, 0.01);
 }
 
