@@ -44,7 +44,8 @@ std::string nameOf(const results::ProvedCause& cause) {
   if (unit == "colorMask") return say("the colour mask");
   if (unit == "scissor") return say("the scissor test");
   if (unit == "polygonOffset") return say("the polygon offset");
-  if (unit == "target") return say("the images that are drawn into");
+  if (unit == "framebuffer") return say("which framebuffer is bound");
+  if (unit == "attachments") return say("the images that are drawn into");
   if (unit == "draws") return say("what is drawn");
   return unit.starts_with("clipDistance") ? say("the clipping") : say("OpenGL's state {}", unit);
 }

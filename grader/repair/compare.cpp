@@ -85,7 +85,10 @@ public:
       result_.differences.push_back({unit, std::move(patch), lacks_[unit]});
     std::ranges::stable_sort(result_.differences, {}, [](const Difference& one) {
       const std::string& name = one.unit.name;
-      return name.starts_with("shader") ? 2 : name == "draws" ? 3 : name == "target" ? 1 : 0;
+      return name.starts_with("shader")                       ? 2
+             : name == "draws"                                ? 3
+             : name == "attachments" || name == "framebuffer" ? 1
+                                                              : 0;
     });
     return std::move(result_);
   }
@@ -179,9 +182,12 @@ private:
     }
   }
 
-  /// What a pass draws into: which images at which points, and how these are made.
+  /// What a pass draws into: the window or not, which images at which points, how these are made.
   void compareTarget(const PassPair& pair, std::size_t i, const json& theirs) {
-    patch(pair, "target", pointer({std::to_string(i), "target"}), theirs.at("target"));
+    const bool isWindow = result_.tape.commands[i].at("target").contains("window");
+    const bool isSame = isWindow == theirs.at("target").contains("window");
+    patch(pair, isSame ? "attachments" : "framebuffer", pointer({std::to_string(i), "target"}),
+          theirs["target"]);
     if (theirs["target"].contains("window")) return;
     for (const auto& [point, one] : theirs["target"].at("attachments").items())
       compareImage(pair, one.at("image"));
@@ -200,7 +206,7 @@ private:
       json value = *wanted;
       value["id"] = own;
       if (withoutData(commands[i]) != withoutData(value))
-        patch(pair, "target", pointer({std::to_string(i)}), value);
+        patch(pair, "attachments", pointer({std::to_string(i)}), value);
     }
   }
 

@@ -95,11 +95,11 @@ TEST(Repair, AClearThatLacksAMaskIsThatBuffersFault) {
   EXPECT_THAT(names(compare(submission, reference())), ElementsAre("0 clear depth"));
 }
 
-TEST(Repair, AnotherFormatIsTheTargetsFault) {
+TEST(Repair, AnotherFormatIsTheAttachments) {
   tape::Tape submission = reference();
   submission.commands[1] = image(0, 34842);
   const Comparison comparison = compare(submission, reference());
-  ASSERT_THAT(names(comparison), ElementsAre("0 target"));
+  ASSERT_THAT(names(comparison), ElementsAre("0 attachments"));
   const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
   EXPECT_EQ(patched[2]["levels"][0]["format"], 32856);
   EXPECT_EQ(patched[2]["id"], 0);
@@ -115,7 +115,7 @@ TEST(Repair, APassInTheWrongPlaceIsTheRightPass) {
   submission.commands.erase(1);
   submission.commands.insert(submission.commands.begin() + 5, defined);
   const Comparison comparison = compare(submission, right);
-  ASSERT_THAT(names(comparison), ElementsAre("0 target"));
+  ASSERT_THAT(names(comparison), ElementsAre("0 framebuffer"));
   const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
   EXPECT_EQ(patched[2]["op"], "image");
   EXPECT_EQ(patched[2]["id"], 0);
