@@ -243,6 +243,16 @@ void calibrate(const CalibrateOptions& options) {
   endWith("right and wrong answers don't separate", failures);
 }
 
+/// Those of the catalogue that were asked for.
+std::vector<calibration::KnownAnswer> programsOf(const CalibrateOptions& options,
+                                                 const Target& target, const fs::path& solutions) {
+  return calibration::programsOf(target.assignment,
+                                 grading::loadCatalogue(target.assignment, target.parts[0],
+                                                        solutions,
+                                                        catalogueFolder(options, solutions)),
+                                 solutions, options.only);
+}
+
 /// Errors and seconds of looking less closely, and of whole-image measures.
 void trade(const CalibrateOptions& options) {
   const std::vector<Target> targets = partsOf(options.id);
@@ -254,10 +264,7 @@ void trade(const CalibrateOptions& options) {
   nlohmann::json parts = nlohmann::json::array();
   for (const Target& target : targets) {
     const fs::path solutions = solutionFolder(target.assignment.id);
-    const auto catalogue = grading::loadCatalogue(target.assignment, target.parts[0], solutions,
-                                                  catalogueFolder(options, solutions));
-    const auto programs =
-        calibration::programsOf(target.assignment, catalogue, solutions, options.only);
+    const auto programs = programsOf(options, target, solutions);
     Progress progress("calibrating " + target.id);
     all.push_back(calibration::measureTrade(
         target, solutions, programs,
@@ -272,6 +279,13 @@ void trade(const CalibrateOptions& options) {
   publish(options, work, out, parts, "trade.json", pages, texts);
 }
 
+/// A section for the terminal.
+std::string textOf(const Target& target, const calibration::Section& section) {
+  std::string text = fmt::format("{}: {}\n\n", target.id, section.text);
+  for (const auto& row : section.rows) text += fmt::format("  {}\n", fmt::join(row, " | "));
+  return text;
+}
+
 /// Every program of the catalogue, drawn again from its tape.
 void replay(const CalibrateOptions& options) {
   const std::vector<Target> targets = partsOf(options.id);
@@ -282,19 +296,14 @@ void replay(const CalibrateOptions& options) {
   nlohmann::json parts = nlohmann::json::array();
   for (const Target& target : targets) {
     const fs::path solutions = solutionFolder(target.assignment.id);
-    const auto catalogue = grading::loadCatalogue(target.assignment, target.parts[0], solutions,
-                                                  catalogueFolder(options, solutions));
-    const auto programs =
-        calibration::programsOf(target.assignment, catalogue, solutions, options.only);
+    const auto programs = programsOf(options, target, solutions);
     Progress progress("calibrating " + target.id);
     const auto figures =
         calibration::measureReplay(target, solutions, programs, options.jobs, std::ref(progress));
     progress.clear();
     parts.push_back(calibration::toJson(figures));
     pages.push_back(pageOf(target, {calibration::sectionOf(figures)}, "tapes"));
-    const calibration::Section& section = pages.back().sections[0];
-    texts += fmt::format("{}: {}\n", target.id, section.text);
-    for (const auto& row : section.rows) texts += fmt::format("  {}\n", fmt::join(row, " | "));
+    texts += textOf(target, pages.back().sections[0]);
     for (const calibration::Replayed& one : figures.all)
       if (!one.difference.empty() && !one.refused)
         failures +=
@@ -329,9 +338,7 @@ void generate(const CalibrateOptions& options) {
     json["part"] = target.id;
     parts.push_back(std::move(json));
     pages.push_back(pageOf(target, {generated::sectionOf(figures, target)}, "generated programs"));
-    const calibration::Section& section = pages.back().sections[0];
-    texts += fmt::format("{}: {}\n\n", target.id, section.text);
-    for (const auto& row : section.rows) texts += fmt::format("  {}\n", fmt::join(row, " | "));
+    texts += textOf(target, pages.back().sections[0]);
     failures += generated::failuresOf(figures);
   }
   publish(options, work, out, parts, "generated.json", pages, texts + '\n');

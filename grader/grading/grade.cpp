@@ -223,21 +223,7 @@ void nameUnsteady(const Rendering& first, const Rendering& again, results::Resul
   if (result.outcome == Outcome::graded) result.detail = scene.name + ": " + unsteady;
 }
 
-/// One fault can have cost more than once: more than one item lost something.
-bool isWorthRepair(const results::Result& result) {
-  if (!report::scored(result.outcome)) return false;
-  return std::ranges::count_if(result.items, [](const results::Item& item) {
-           return item.kind != results::ItemKind::bonus &&
-                  item.earned < (item.kind == results::ItemKind::keep ? 0 : item.points);
-         }) > 1;
-}
-
 } // namespace
-
-bool& repairs() {
-  static bool on = false;
-  return on;
-}
 
 void addUp(results::Result& result) {
   double sum = 0, bonus = 0;

@@ -48,10 +48,6 @@ struct Graded {
 /// pictures reach the student; hidden ones see hidden scenes.
 enum class Runs { none, told, hidden };
 
-/// Whether gradings of this process find out what was wrong and let it cost once (repair.hpp):
-/// scores depend on it.
-bool& repairs();
-
 struct GraderOptions {
   std::vector<std::string> judgeArguments = {}; ///< GoogleTest's
   bool pictures = true; ///< false for who wants scores only: the result has items but no scenes

@@ -282,17 +282,14 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
                       const std::vector<std::byte>& tape) {
   TemporaryFolder work;
   const fs::path sceneFolder = work.makeVisible("scene");
-  {
-    std::ofstream out(sceneFolder / "scene.json");
-    if (!(out << scene.dump(2) << '\n') || !out.flush())
+  const auto put = [&](const char* name, const char* bytes, std::size_t size) {
+    std::ofstream out(sceneFolder / name, std::ios::binary);
+    if (!out.write(bytes, std::streamsize(size)) || !out.flush())
       throw UsageError(fmt::format("can't write to {}: is the disk full?", sceneFolder.string()));
-    std::ofstream tapeOut;
-    if (!tape.empty()) tapeOut.open(sceneFolder / "tape", std::ios::binary);
-    if (!tape.empty() &&
-        (!tapeOut.write(reinterpret_cast<const char*>(tape.data()), std::streamsize(tape.size())) ||
-         !tapeOut.flush()))
-      throw UsageError(fmt::format("can't write to {}: is the disk full?", sceneFolder.string()));
-  }
+  };
+  const std::string text = scene.dump(2) + '\n';
+  put("scene.json", text.data(), text.size());
+  if (!tape.empty()) put("tape", reinterpret_cast<const char*>(tape.data()), tape.size());
   const Places at(isolation, folder, shaders.folder, sceneFolder);
   const auto size = scene.at("size").get<std::vector<std::uint32_t>>();
   channel::Channel channel(plan(times, size.at(0), size.at(1)), channel::kDefaultMaxPixels, trace,

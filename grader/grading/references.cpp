@@ -1,7 +1,7 @@
 #include "grading/references.hpp"
 
-#include "grading/grade.hpp"
 #include "grading/judge.hpp"
+#include "grading/repair.hpp"
 #include "report/picture.hpp"
 #include "report/write_file.hpp"
 

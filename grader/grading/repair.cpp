@@ -4,13 +4,13 @@
 #include "grading/carry.hpp"
 #include "grading/grade.hpp"
 #include "grading/replay.hpp"
+#include "report/summary.hpp"
 #include "report/write_file.hpp"
 #include "rubric/rubric.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace ggrade::grading {
 
@@ -33,12 +33,6 @@ constexpr std::size_t kMostLeftOut = 16;
 constexpr std::size_t kVariantFrames = 48;
 /// What was right before and was spoiled costs so many points at most once that is proved.
 constexpr double kSpoiledPoints = 10;
-
-json joined(const json& a, const json& b) {
-  json both = a;
-  both.insert(both.end(), b.begin(), b.end());
-  return both;
-}
 
 /// The frames `first` to `first + count` of a run, as a run of its own. Copies of its first frame
 /// alone.
@@ -85,13 +79,14 @@ channel::Capture partOf(const channel::Capture& all, std::size_t first, std::siz
 /// One scene of the submission with everything that is tried on it.
 struct TapedScene {
   std::size_t index;
-  repair::Comparison comparison;
+  std::vector<std::byte> tape;
+  std::vector<repair::Difference> differences;
 };
 
 class Repairing {
 public:
   Repairing(const Target& target, OwnTapes& own, Judge& judge, Graded& graded)
-      : target_(target), own_(own), judge_(judge), graded_(graded), items_(graded.result.items) {
+      : own_(own), judge_(judge), graded_(graded), items_(graded.result.items) {
     for (const ItemDeclaration& declared : target.items()) declared_[declared.id] = declared;
   }
 
@@ -105,7 +100,7 @@ public:
       if (scene != lossy.front() && !record(scene, why)) return {};
     std::vector<ProvedCause> causes;
     for (const Unit& unit : found)
-      for (const repair::Difference& one : scenes_.front().comparison.differences)
+      for (const repair::Difference& one : scenes_.front().differences)
         if (one.unit == unit) causes.push_back({unit.pass, unit.name, own_.ownersOf(one)});
     settle(causes);
     return causes;
@@ -138,14 +133,15 @@ private:
 
   bool record(std::size_t index, std::string& why) {
     const GradedScene& scene = graded_.scenes[index];
-    trace::Request request = tapingRequest(std::uint32_t(scene.times.size()));
     const Rendering taped =
-        graded_.program->render(scene.scene, scene.times, graded_.shaders, request);
+        graded_.program->render(scene.scene, scene.times, graded_.shaders,
+                                tapingRequest(std::uint32_t(scene.times.size())));
     if (!taped.happened.ok()) return why = "it ends otherwise when it is recorded", false;
     if (!taped.capture.tapeRefused.empty())
       return why = "the program " + taped.capture.tapeRefused, false;
-    scenes_.push_back(
-        {index, repair::compare(tape::read(taped.capture.tape), own_.reference(index))});
+    repair::Comparison comparison =
+        repair::compare(tape::read(taped.capture.tape), own_.reference(index));
+    scenes_.push_back({index, tape::write(comparison.tape), std::move(comparison.differences)});
     const channel::Capture again = play(scenes_.back(), {json::array()}).at(0);
     if (const std::string difference = differenceOf(taped.capture, again); !difference.empty())
       return why = "it is not drawn again as it was: " + difference, false;
@@ -166,9 +162,9 @@ private:
       trace::Request request = gradingRequest();
       request.copyFrames = channel::kMaxFrames;
       request.copyBytes = std::uint64_t{1} << 30;
-      const Rendering played = grading::play(
-          scene.comparison.tape, some, graded.scene.at("size").get<std::vector<std::uint32_t>>(),
-          std::uint32_t(frames), graded_.shaders, request);
+      const Rendering played =
+          grading::play(scene.tape, some, graded.scene.at("size").get<std::vector<std::uint32_t>>(),
+                        std::uint32_t(frames), graded_.shaders, request);
       const std::size_t whole = played.capture.frames.size() / frames;
       for (std::size_t i = 0; i < some.size(); ++i)
         all.push_back(i < whole ? partOf(played.capture, i * frames, frames, graded.times)
@@ -197,30 +193,26 @@ private:
 
   static json patchOf(const TapedScene& scene, const std::vector<Unit>& units) {
     json patch = json::array();
-    for (const repair::Difference& one : scene.comparison.differences)
-      if (std::ranges::find(units, one.unit) != units.end()) patch = joined(patch, one.patch);
+    for (const repair::Difference& one : scene.differences)
+      if (std::ranges::find(units, one.unit) != units.end())
+        patch.insert(patch.end(), one.patch.begin(), one.patch.end());
     return patch;
   }
 
-  /// What the worst scene loses with each of these sets repaired; -1 where it can't be drawn.
-  std::vector<double> losses(const std::vector<std::vector<Unit>>& sets) {
+  /// The first set with which the worst scene is right; nothing: with none. All are drawn in one
+  /// run, and judged until one is right.
+  std::optional<std::vector<Unit>> firstRight(const std::vector<std::vector<Unit>>& sets) {
+    if (sets.empty()) return std::nullopt;
     const TapedScene& worst = scenes_.front();
     std::vector<json> patches;
     for (const auto& set : sets) patches.push_back(patchOf(worst, set));
-    std::vector<double> all;
-    for (const channel::Capture& drawn : play(worst, patches)) {
-      const auto items = drawn.frames.empty() ? std::vector<results::Item>{} : judge({drawn});
-      all.push_back(items.empty() ? -1 : lossIn(items, graded_.scenes[worst.index].name));
+    const std::vector<channel::Capture> drawn = play(worst, patches);
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+      const auto items = judge({drawn[i]});
+      if (!items.empty() &&
+          lossIn(items, graded_.scenes[worst.index].name) <= std::max(kRight * lost_, kRightPoints))
+        return sets[i];
     }
-    return all;
-  }
-
-  /// The first set with which the worst scene is right; nothing: with none.
-  std::optional<std::vector<Unit>> firstRight(const std::vector<std::vector<Unit>>& sets) {
-    if (sets.empty()) return std::nullopt;
-    const std::vector<double> left = losses(sets);
-    for (std::size_t i = 0; i < sets.size(); ++i)
-      if (left[i] >= 0 && left[i] <= std::max(kRight * lost_, kRightPoints)) return sets[i];
     return std::nullopt;
   }
 
@@ -232,7 +224,7 @@ private:
     std::vector<std::vector<Unit>> singles, passes;
     std::map<std::size_t, std::vector<Unit>> byPass;
     std::vector<Unit> all;
-    for (const repair::Difference& one : worst.comparison.differences) {
+    for (const repair::Difference& one : worst.differences) {
       if (all.size() == kMostTried) break;
       all.push_back(one.unit);
       singles.push_back({one.unit});
@@ -294,9 +286,7 @@ private:
   /// the largest share keeps its loss.
   void chargeOnce(const std::vector<results::Item>& before) {
     const auto share = [](const results::Item& item) {
-      const double lost =
-          item.kind == results::ItemKind::keep ? -item.earned : item.points - item.earned;
-      return item.kind == results::ItemKind::bonus ? 0 : lost / item.points;
+      return item.kind == results::ItemKind::bonus ? 0 : report::lost(item) / item.points;
     };
     if (std::ranges::any_of(items_, [&](const results::Item& item) { return share(item) > 0.05; }))
       return;
@@ -336,8 +326,7 @@ private:
       item->earned = before;
       return;
     }
-    if (item->earned >= (item->kind == results::ItemKind::keep ? 0 : item->points))
-      item->cause = item->step = "";
+    if (report::lost(*item) <= 0) item->cause = item->step = "";
     item->message = worstMessage(*item);
     item->repaired.clear();
     for (const ProvedCause& cause : causes)
@@ -349,7 +338,6 @@ private:
         scenes_, [&](const TapedScene& one) { return graded_.scenes[one.index].name == scene; });
   }
 
-  const Target& target_;
   OwnTapes& own_;
   Judge& judge_;
   Graded& graded_;
@@ -364,10 +352,9 @@ private:
 OwnTapes::OwnTapes(const Target& target, fs::path solutionFolder, const References& references)
     : target_(target), solutionFolder_(std::move(solutionFolder)), references_(references) {}
 
-tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& scene,
-                            const ShaderCache& shaders) {
+tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& scene) {
   Program program(target_.assignment, recipe);
-  const Rendering taped = program.render(scene.scene, scene.times, shaders,
+  const Rendering taped = program.render(scene.scene, scene.times, references_.ownShaders,
                                          tapingRequest(std::uint32_t(scene.times.size())));
   if (!taped.happened.ok() || !taped.capture.tapeRefused.empty())
     throw std::runtime_error("our own program has no tape: " + taped.happened.detail +
@@ -379,9 +366,7 @@ const tape::Tape& OwnTapes::reference(std::size_t scene) {
   const std::lock_guard lock(mutex_);
   const auto found = reference_.find(scene);
   if (found != reference_.end()) return found->second;
-  return reference_
-      .emplace(scene,
-               record({solutionFolder_}, references_.scenes.at(scene), references_.ownShaders))
+  return reference_.emplace(scene, record({solutionFolder_}, references_.scenes.at(scene)))
       .first->second;
 }
 
@@ -398,11 +383,11 @@ void OwnTapes::learnOwners() {
   }
   const tape::Tape& right = reference(0);
   std::set<std::string> filled;
-  tape::Tape before = record({solutionFolder_, {}, filled}, scene, references_.ownShaders);
+  tape::Tape before = record({solutionFolder_, {}, filled}, scene);
   for (const Part& part : target_.parts)
     for (const auto& todo : part.todos) {
       filled.insert(todo.id);
-      tape::Tape after = record({solutionFolder_, {}, filled}, scene, references_.ownShaders);
+      tape::Tape after = record({solutionFolder_, {}, filled}, scene);
       const repair::Comparison step = repair::compare(before, after);
       const auto inReference = repair::compare(after, right).passes;
       const auto changed = [&](const Unit& unit, const std::set<std::string>& lines) {
@@ -425,8 +410,10 @@ void OwnTapes::learnOwners() {
 
 std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
   const std::lock_guard lock(owners_);
-  if (!learned_) learnOwners();
-  learned_ = true;
+  if (!learned_) {
+    learnOwners();
+    learned_ = true;
+  }
   const auto found = changedBy_.find(difference.unit);
   if (found == changedBy_.end()) return {};
   std::set<std::string> all, byLine;
@@ -437,6 +424,18 @@ std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
       byLine.insert(todo);
   }
   return byLine.empty() ? all : byLine;
+}
+
+bool& repairs() {
+  static bool on = false;
+  return on;
+}
+
+bool isWorthRepair(const results::Result& result) {
+  if (!report::scored(result.outcome)) return false;
+  return std::ranges::count_if(result.items, [](const results::Item& item) {
+           return item.kind != results::ItemKind::bonus && report::lost(item) > 0;
+         }) > 1;
 }
 
 std::vector<results::ProvedCause> repairFaults(const Target& target, OwnTapes& own, Judge& judge,

@@ -27,13 +27,13 @@ public:
   /// The reference's, in a scene of the plan.
   const tape::Tape& reference(std::size_t scene);
 
-  /// The TODOs whose work it is: the steps of the handout that change this unit (of a function: that
-  /// write a line of those that it lacks). None: no step changes it, it is right from the start.
+  /// The TODOs whose work it is: the steps of the handout that change this unit (of a function:
+  /// that write a line of those that it lacks). None: no step changes it, it is right from the
+  /// start.
   std::set<std::string> ownersOf(const repair::Difference& difference);
 
 private:
-  tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene,
-                    const ShaderCache& shaders);
+  tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene);
   void learnOwners();
 
   const Target& target_;
@@ -45,6 +45,12 @@ private:
   std::map<repair::Unit, std::map<std::string, std::set<std::string>>> changedBy_;
   bool learned_ = false;
 };
+
+/// Whether gradings of this process repair: scores depend on it.
+bool& repairs();
+
+/// One fault can have cost more than once: more than one item lost something.
+bool isWorthRepair(const results::Result& result);
 
 /// Finds the causes and gives back what they cost more than once. Nothing: no set of causes makes
 /// it right, and the items stay as they are. Throws Interrupted.

@@ -26,13 +26,13 @@ trace::Request tapingRequest(std::uint32_t frames) {
   return request;
 }
 
-Rendering play(const tape::Tape& tape, const std::vector<nlohmann::json>& patches,
+Rendering play(const std::vector<std::byte>& tape, const std::vector<nlohmann::json>& patches,
                const std::vector<std::uint32_t>& size, std::uint32_t frames,
                const ShaderCache& shaders, const trace::Request& request) {
   const nlohmann::json scene = {{"size", size}, {"patches", patches}, {"frames", frames}};
   return renderScene("play", toolchain::kPlayerFolder, scene,
                      std::vector<double>(patches.size() * frames, 0.0), shaders, isolation(),
-                     request, {}, false, tape::write(tape));
+                     request, {}, false, tape);
 }
 
 std::string differenceOf(const channel::Capture& drawn, const channel::Capture& played) {

@@ -3,7 +3,6 @@
 /// Tapes: what a program drew, drawn again without the program (grader/replay).
 
 #include "grading/program.hpp"
-#include "replay/tape.hpp"
 
 namespace ggrade::grading {
 
@@ -14,7 +13,7 @@ trace::Request tapingRequest(std::uint32_t frames);
 /// its commands has it, one after the other from the start, `frames` frames each.
 /// \param size of the window, pixels
 /// \param shaders an empty cache's folder or none
-Rendering play(const tape::Tape& tape, const std::vector<nlohmann::json>& patches,
+Rendering play(const std::vector<std::byte>& tape, const std::vector<nlohmann::json>& patches,
                const std::vector<std::uint32_t>& size, std::uint32_t frames,
                const ShaderCache& shaders, const trace::Request& request);
 

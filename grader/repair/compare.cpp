@@ -190,7 +190,8 @@ private:
           theirs["target"]);
     if (theirs["target"].contains("window")) return;
     for (const auto& [point, one] : theirs["target"].at("attachments").items())
-      compareImage(pair, one.at("image"));
+      if (images_.insert({pair.other.ordinal, one.at("image")}).second)
+        compareImage(pair, one["image"]);
   }
 
   void compareImage(const PassPair& pair, const json& own) {
@@ -236,16 +237,17 @@ private:
       for (const auto& [name, function] : rightOnes) {
         const auto found = functions.find(name);
         if (found == functions.end()) continue;
-        result_.compared.insert({pair.other.ordinal, "function " + name + " in " + stage});
+        const std::string unit = "function " + name + " in " + stage;
+        result_.compared.insert({pair.other.ordinal, unit});
         if (found->second.words == function.words) continue;
         differs = true;
-        auto& lacks = lacks_[{pair.other.ordinal, "function " + name + " in " + stage}];
+        auto& lacks = lacks_[{pair.other.ordinal, unit}];
         std::ranges::set_difference(function.lines, found->second.lines,
                                     std::inserter(lacks, lacks.end()));
         std::string changed = source;
         changed.replace(found->second.begin, found->second.end - found->second.begin,
                         right.substr(function.begin, function.end - function.begin));
-        patch(pair, "function " + name + " in " + stage, path, blobOf(changed));
+        patch(pair, unit, path, blobOf(changed));
       }
       if (!differs) continue;
       const std::string unit = "shader " + stage;
@@ -269,18 +271,10 @@ private:
     const json own = result_.tape.commands[i]; // patches are looked up in the commands as they are
     const std::string at = std::to_string(i);
     compareProgram(pair, i, own, theirs);
-    for (const auto& [name, value] : theirs.at("uniforms").items())
-      if (own.at("uniforms").contains(name))
-        patch(pair, "uniform " + name, pointer({at, "uniforms", name}), value);
-    for (const auto& [name, value] : theirs.at("blocks").items())
-      if (own.at("blocks").contains(name))
-        patch(pair, "block " + name, pointer({at, "blocks", name}), value);
-    for (const auto& [name, value] : theirs.at("textures").items())
-      if (own.at("textures").contains(name))
-        patch(pair, "texture " + name, pointer({at, "textures", name}), value);
-    for (const auto& [name, value] : theirs.at("attributes").items())
-      if (own.at("attributes").contains(name))
-        patch(pair, "attribute " + name, pointer({at, "attributes", name}), value);
+    for (const std::string what : {"uniform", "block", "texture", "attribute"})
+      for (const auto& [name, value] : theirs.at(what + 's').items())
+        if (own.at(what + 's').contains(name))
+          patch(pair, what + ' ' + name, pointer({at, what + 's', name}), value);
   }
 
   void compareClear(const PassPair& pair, std::size_t i, const json& theirs) {
@@ -333,6 +327,7 @@ private:
   std::map<Unit, json> found_;
   std::map<Unit, std::set<std::string>> lacks_;
   std::map<std::string, std::uint64_t> made_;
+  std::set<std::pair<std::size_t, json>> images_; ///< of passes, that were compared
 };
 
 } // namespace

@@ -1,6 +1,6 @@
 #include "calibration/verdicts.hpp"
 
-#include "grading/grade.hpp"
+#include "grading/repair.hpp"
 
 #include "report/text.hpp"
 
