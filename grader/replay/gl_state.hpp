@@ -7,6 +7,7 @@
 #include <GL/glext.h>
 
 #include <cstdint>
+#include <string>
 
 namespace ggrade::tape {
 
@@ -130,6 +131,13 @@ constexpr UniformShape shapeOf(GLenum type) {
   default:
     return {};
   }
+}
+
+/// The name of an element of a uniform: "bones[0]" and 3 give "bones[3]".
+inline std::string elementName(const std::string& name, int element) {
+  const std::size_t bracket = name.rfind('[');
+  if (element == 0 || bracket == std::string::npos) return name;
+  return name.substr(0, bracket + 1) + std::to_string(element) + "]";
 }
 
 /// The textures' target of a sampler's type; 0 for types that are no samplers.

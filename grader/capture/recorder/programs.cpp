@@ -9,6 +9,7 @@
 #include <cstring>
 
 namespace ggrade::capture::recorder {
+using ggrade::tape::elementName;
 using ggrade::tape::targetOfSampler;
 
 namespace {
@@ -33,13 +34,6 @@ GLint ofUniform(GLuint program, GLuint uniform, GLenum name) {
   GLint value = 0;
   gl().getActiveUniformsiv(program, 1, &uniform, name, &value);
   return value;
-}
-
-/// "bones[0]" and 3 give "bones[3]".
-std::string elementName(const std::string& name, GLint element) {
-  const std::size_t bracket = name.rfind('[');
-  if (element == 0 || bracket == std::string::npos) return name;
-  return name.substr(0, bracket + 1) + std::to_string(element) + "]";
 }
 
 void addMatrices(ProgramInfo& info, GLuint program, GLuint uniform, const std::string& name,

@@ -2,6 +2,7 @@
 // is read and what is written. They begin before the GL call and are complete after it, because
 // some of them define the image that they write.
 
+#include "capture/recorder/bound.hpp"
 #include "capture/recorder/gl_calls.hpp"
 #include "capture/recorder/recorder.hpp"
 #include "capture/recorder/session.hpp"
@@ -18,24 +19,6 @@ using trace::kNone;
 using trace::PassKind;
 
 constexpr std::uint32_t kMaxLevels = 32;
-
-/// Binds framebuffers for as long as it lives. `valid` is false for names that aren't framebuffers.
-class Bound {
-public:
-  Bound(GLenum target, GLenum query, GLuint framebuffer)
-      : valid(framebuffer == 0 || gl().isFramebuffer(framebuffer)), target_(target),
-        before_(number(query)) {
-    if (valid) gl().bindFramebuffer(target_, framebuffer);
-  }
-  ~Bound() { gl().bindFramebuffer(target_, before_); }
-  Bound(const Bound&) = delete;
-  Bound& operator=(const Bound&) = delete;
-  const bool valid;
-
-private:
-  GLenum target_;
-  GLuint before_;
-};
 
 trace::SampleRecord readOf(Session& session, ImageRef image, std::uint32_t attachment = 0) {
   trace::SampleRecord sample{};

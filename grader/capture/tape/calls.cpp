@@ -2,6 +2,7 @@
 
 #include "capture/channel_writer.hpp"
 #include "capture/context.hpp"
+#include "capture/recorder/bound.hpp"
 #include "capture/recorder/gl_calls.hpp"
 #include "capture/tape/objects.hpp"
 #include "capture/tape/writer.hpp"
@@ -57,22 +58,6 @@ public:
 
 private:
   std::optional<Session> session_;
-};
-
-/// Another framebuffer bound for a while; null: the one that is bound.
-class Bound {
-public:
-  Bound(GLenum target, GLenum binding, const GLuint* framebuffer)
-      : target_(target), before_(number(binding)) {
-    if (framebuffer) gl().bindFramebuffer(target_, *framebuffer);
-  }
-  ~Bound() { gl().bindFramebuffer(target_, before_); }
-  Bound(const Bound&) = delete;
-  Bound& operator=(const Bound&) = delete;
-
-private:
-  GLenum target_;
-  GLuint before_;
 };
 
 json indicesJson() {
@@ -146,7 +131,8 @@ void clearBuffer(const GLuint* framebuffer, GLenum buffer, GLint drawBuffer, cha
                  const std::array<double, 4>& values) {
   const Taping taping;
   if (!taping) return;
-  const Bound bound(GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING, framebuffer);
+  std::optional<recorder::Bound> bound;
+  if (framebuffer) bound.emplace(GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING, *framebuffer);
   json one = drawingJson("clearBuffer");
   one["buffer"] = buffer;
   one["drawBuffer"] = drawBuffer;
@@ -159,8 +145,9 @@ void blit(const GLuint* from, const GLuint* to, const std::array<GLint, 8>& corn
           GLbitfield mask, GLenum filter) {
   const Taping taping;
   if (!taping) return;
-  const Bound boundTo(GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING, to);
-  const Bound boundFrom(GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING, from);
+  std::optional<recorder::Bound> boundTo, boundFrom;
+  if (to) boundTo.emplace(GL_DRAW_FRAMEBUFFER, GL_DRAW_FRAMEBUFFER_BINDING, *to);
+  if (from) boundFrom.emplace(GL_READ_FRAMEBUFFER, GL_READ_FRAMEBUFFER_BINDING, *from);
   json one = drawingJson("blit");
   one["from"] = readTargetJson();
   one["corners"] = corners;

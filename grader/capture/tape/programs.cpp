@@ -100,13 +100,9 @@ void askUniforms(GLuint program, Linked& linked) {
         !ggrade::tape::targetOfSampler(uniform.type))
       refuse("has uniforms of a kind that isn't recorded: " + uniform.name);
     const GLint elements = resource(program, GL_UNIFORM, i, GL_ARRAY_SIZE);
-    const std::size_t bracket = uniform.name.rfind("[0]");
-    const bool isArray = bracket != std::string::npos && bracket + 3 == uniform.name.size();
-    for (GLint e = 0; e < elements; ++e) {
-      const std::string element =
-          isArray ? uniform.name.substr(0, bracket) + "[" + std::to_string(e) + "]" : uniform.name;
-      uniform.locations.push_back(gl().getUniformLocation(program, element.c_str()));
-    }
+    for (GLint e = 0; e < elements; ++e)
+      uniform.locations.push_back(
+          gl().getUniformLocation(program, ggrade::tape::elementName(uniform.name, e).c_str()));
     linked.uniforms.push_back(std::move(uniform));
   }
 }

@@ -99,9 +99,8 @@ private:
       if (const GLint at = gl().getUniformLocation(program, name.c_str()); at >= 0)
         setUniform(at, uniform.at("type"), uniform.at("values"));
     for (const auto& [name, all] : command.at("textures").items()) {
-      const std::string base = name.substr(0, name.rfind("[0]"));
       for (std::size_t i = 0; i < all.size(); ++i) {
-        const std::string element = all.size() > 1 ? base + "[" + std::to_string(i) + "]" : name;
+        const std::string element = tape::elementName(name, int(i));
         const GLint at = gl().getUniformLocation(program, element.c_str());
         if (at >= 0) gl().uniform1i(at, all[i].at("unit"));
         sample(all[i]);
