@@ -3,6 +3,10 @@
 #include "report/text.hpp"
 #include "words/words.hpp"
 
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
 namespace ggrade::diagnosis {
 
 using gg::say;
@@ -55,16 +59,24 @@ std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
   for (std::size_t i = 1; i < causes.size(); ++i)
     list = i + 1 < causes.size() ? say("{}, {}", list, nameOf(causes[i]))
                                  : say("{} and {}", list, nameOf(causes[i]));
-  std::size_t pass = causes[0].pass;
-  for (const results::ProvedCause& cause : causes)
-    if (cause.pass != pass) pass = std::size_t(-1);
+  // Named where all of them are in the same passes.
+  const std::set<std::size_t>& passes = causes[0].passes;
+  const bool named =
+      !passes.empty() && std::ranges::all_of(causes, [&](const results::ProvedCause& cause) {
+        return cause.passes == passes;
+      });
+  std::vector<std::size_t> numbers;
+  for (const std::size_t pass : passes) numbers.push_back(pass + 1);
   std::string text =
-      pass == std::size_t(-1)
-          ? say("Proved by drawing it again: with other values in this place, all is right: {}.",
-                list)
-          : say("Proved by drawing it again: with other values in this place of pass {}, all is "
+      !named ? say("Proved by drawing it again: with other values in this place, all is right: {}.",
+                   list)
+      : numbers.size() == 1
+          ? say("Proved by drawing it again: with other values in this place of pass {}, all is "
                 "right: {}.",
-                pass + 1, list);
+                numbers[0], list)
+          : say("Proved by drawing it again: with other values in this place of the passes {}, all "
+                "is right: {}.",
+                fmt::to_string(fmt::join(numbers, ", ")), list);
   if (causes[0].todos.empty())
     text +=
         ' ' + say("The handed-out program has it right: a call of yours changes it, and doesn't "

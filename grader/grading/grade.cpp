@@ -442,7 +442,16 @@ void Grader::judge(Graded& graded) {
     result.items = theJudge().judge({graded.students(), options_.judgeArguments},
                                     graded.work->path(), problem);
   }
-  if (problem.empty()) {
+  if (problem.empty() && options_.repair && isWorthRepair(result)) {
+    graded.asDrawn = result.items;
+    const Stopwatch time(result, "repair");
+    options_.begins(Runs::hidden);
+    std::call_once(taped_, [&] { tapes_.emplace(target_, solutionFolder_, references()); });
+    result.causes =
+        repairFaults(target_, *tapes_, theJudge(), graded, options_.threads, result.causesSought);
+    options_.begins(Runs::none);
+  }
+  if (problem.empty() && result.causes.empty()) {
     int runs = 0;
     {
       const Stopwatch time(result, "carry forward");
@@ -456,13 +465,6 @@ void Grader::judge(Graded& graded) {
   if (!problem.empty()) {
     result.outcome = Outcome::notGradable;
     result.detail = problem;
-  } else if (options_.repair && isWorthRepair(result)) {
-    graded.asDrawn = result.items;
-    const Stopwatch time(result, "repair");
-    options_.begins(Runs::hidden);
-    std::call_once(taped_, [&] { tapes_.emplace(target_, solutionFolder_, references()); });
-    result.causes = repairFaults(target_, *tapes_, theJudge(), graded, result.causesSought);
-    options_.begins(Runs::none);
   }
   addUp(result);
   result.scenes = scenes.get();

@@ -135,7 +135,7 @@ fs::path judgeProgram() {
 
 Judge::Judge(const Target& target, std::vector<rubric::SceneFolders> scenes, bool many,
              const Tolerances* tolerances)
-    : target_(target), scenes_(std::move(scenes)) {
+    : target_(target), scenes_(std::move(scenes)), warm_(many) {
   const fs::path evidence = folder_.path() / "evidence.json", log = folder_.path() / "judge.log";
   rubric::writeEvidence(evidence, target.assignment.folder, target.id, scenes_);
 
@@ -199,6 +199,18 @@ std::string Judge::gone() {
   return end_;
 }
 
+void Judge::warm() {
+  const std::lock_guard lock(mutex_);
+  if (warm_) return;
+  warm_ = true;
+  send({{"warm", true}});
+}
+
+bool Judge::send(const json& request) {
+  const std::string line = request.dump() + '\n';
+  return write(requests_, line.data(), line.size()) == ssize_t(line.size());
+}
+
 std::vector<results::Item> Judge::judge(const Request& request, const fs::path& work,
                                         std::string& problem) {
   json students = json::array();
@@ -210,14 +222,11 @@ std::vector<results::Item> Judge::judge(const Request& request, const fs::path& 
     const std::lock_guard lock(mutex_);
     results = work / fmt::format("items-{}.jsonl", ++asked_);
     done = work / fmt::format("done-{}", asked_);
-    const std::string line = json{{"students", students},
-                                  {"arguments", request.arguments},
-                                  {"again", request.again},
-                                  {"results", results.string()},
-                                  {"done", done.string()}}
-                                 .dump() +
-                             '\n';
-    sent = write(requests_, line.data(), line.size()) == ssize_t(line.size());
+    sent = send({{"students", students},
+                 {"arguments", request.arguments},
+                 {"again", request.again},
+                 {"results", results.string()},
+                 {"done", done.string()}});
   }
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(sent ? kAnswerSeconds : 1);

@@ -52,9 +52,15 @@ public:
   std::vector<results::Item> judge(const Request& request, const std::filesystem::path& work,
                                    std::string& problem);
 
+  /// More requests are to come: what depends on the reference alone is worked out before the next,
+  /// unless that was done.
+  void warm();
+
 private:
   /// Why it is gone, or "".
   std::string gone();
+  /// One line. Was it taken?
+  bool send(const nlohmann::json& request);
   /// Ends it and all that it has forked.
   void stop();
 
@@ -65,6 +71,7 @@ private:
   pid_t pid_ = 0;
   int requests_ = -1;
   unsigned asked_ = 0;
+  bool warm_ = false;
   std::string end_;
 };
 

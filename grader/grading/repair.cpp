@@ -3,14 +3,18 @@
 #include "diagnosis/proved.hpp"
 #include "grading/carry.hpp"
 #include "grading/grade.hpp"
+#include "grading/parallel.hpp"
 #include "grading/replay.hpp"
 #include "report/summary.hpp"
-#include "report/write_file.hpp"
 #include "rubric/rubric.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <atomic>
+#include <limits>
+#include <numeric>
 
 namespace ggrade::grading {
 
@@ -27,100 +31,92 @@ constexpr double kRightPoints = 0.5;
 /// A submission that takes more is another program, not a fault.
 constexpr std::size_t kMostCauses = 6;
 constexpr std::size_t kMostTried = 40; ///< differences of one submission
-/// So many are left out one by one to see which are needed; each is a run.
-constexpr std::size_t kMostLeftOut = 16;
-/// Variants that one run draws: so many frames fit a channel.
-constexpr std::size_t kVariantFrames = 48;
 /// What was right before and was spoiled costs so many points at most once that is proved.
 constexpr double kSpoiledPoints = 10;
 
-/// The frames `first` to `first + count` of a run, as a run of its own. Copies of its first frame
-/// alone.
-channel::Capture partOf(const channel::Capture& all, std::size_t first, std::size_t count,
-                        const std::vector<double>& times) {
-  channel::Capture part;
-  part.frames.assign(all.frames.begin() + std::ptrdiff_t(first),
-                     all.frames.begin() + std::ptrdiff_t(first + count));
-  for (std::size_t i = 0; i < count; ++i) part.frames[i].time = times[i];
-  const trace::Trace& from = all.trace;
-  trace::Trace& to = part.trace;
-  const std::uint32_t begin = from.frames[first].firstPass;
-  const std::uint32_t end =
-      from.frames[first + count - 1].firstPass + from.frames[first + count - 1].passCount;
-  for (std::size_t i = 0; i < count; ++i) {
-    to.frames.push_back(from.frames[first + i]);
-    to.frames.back().firstPass -= begin;
-  }
-  to.matrices = from.matrices;
-  to.samples = from.samples;
-  for (trace::SampleRecord& sample : to.samples)
-    sample.writer = sample.writer == trace::kNone || sample.writer < begin || sample.writer >= end
-                        ? trace::kNone
-                        : sample.writer - begin;
-  to.steps = from.steps;
-  for (trace::StepRecord& step : to.steps)
-    step.pass -= begin; // those of other passes aren't asked for
-  for (std::uint32_t p = begin; p < end; ++p) {
-    to.passes.push_back(from.passes[p]);
-    to.passes.back().frame -= std::uint32_t(first);
-  }
-  for (const trace::CopyRecord& copy : from.copies) {
-    if (copy.pass < begin || copy.pass >= end || to.passes[copy.pass - begin].frame != 0) continue;
-    trace::CopyRecord one = copy;
-    one.pass -= begin;
-    one.offset = to.pixels.size();
-    const auto bytes = std::span(from.pixels).subspan(copy.offset, copy.bytes);
-    to.pixels.insert(to.pixels.end(), bytes.begin(), bytes.end());
-    to.copies.push_back(one);
-  }
-  return part;
-}
+struct NotRepaired : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
-/// One scene of the submission with everything that is tried on it.
+/// One scene of the submission, on a tape.
 struct TapedScene {
   std::size_t index;
+  channel::Capture drawn; ///< what the tape must draw, until that was seen
   std::vector<std::byte> tape;
   std::vector<repair::Difference> differences;
 };
 
+/// What was drawn with one patch.
+struct Drawn {
+  fs::path folder;      ///< as the judge wants it; empty: nothing came
+  bool changed = false; ///< is anything else than without the patch?
+  double distance = 0;  ///< of the last frame to the reference's
+};
+
+/// Units by how much they replace: values and functions, what is drawn into, shaders, all draws.
+constexpr int kWidths = 4;
+
+int widthOf(const std::string& unit) {
+  return unit == "draws"                                  ? 3
+         : unit.starts_with("shader")                     ? 2
+         : unit == "attachments" || unit == "framebuffer" ? 1
+                                                          : 0;
+}
+
+double distance(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(int(a[i]) - int(b[i]));
+  return sum;
+}
+
 class Repairing {
 public:
-  Repairing(const Target& target, OwnTapes& own, Judge& judge, Graded& graded)
-      : own_(own), judge_(judge), graded_(graded), items_(graded.result.items) {
+  Repairing(const Target& target, OwnTapes& own, Judge& judge, Graded& graded, unsigned threads)
+      : own_(own), judge_(judge), graded_(graded), items_(graded.result.items), threads_(threads) {
     for (const ItemDeclaration& declared : target.items()) declared_[declared.id] = declared;
+    for (const results::Item& item : items_)
+      if (item.kind != results::ItemKind::bonus && report::lost(item) > 0)
+        lossy_.push_back(item.id);
   }
 
-  std::vector<ProvedCause> run(std::string& why) {
-    const std::vector<std::size_t> lossy = lossyScenes();
-    if (lossy.empty()) return why = "nothing was lost", std::vector<ProvedCause>{};
-    if (!record(lossy.front(), why)) return {};
-    const std::vector<Unit> found = search(why);
-    if (found.empty()) return {};
-    for (const std::size_t scene : lossy)
-      if (scene != lossy.front() && !record(scene, why)) return {};
-    std::vector<ProvedCause> causes;
-    for (const Unit& unit : found)
-      for (const repair::Difference& one : scenes_.front().differences)
-        if (one.unit == unit) causes.push_back({unit.pass, unit.name, own_.ownersOf(one)});
-    settle(causes);
-    return causes;
+  std::vector<ProvedCause> run() {
+    const std::vector<std::size_t> scenes = lossyScenes();
+    if (scenes.empty()) throw NotRepaired("a scene in which points were lost ended early");
+    judge_.warm();
+    scenes_.push_back(record(scenes[0]));
+    std::vector<Unit> found = search(0, {});
+    if (found.empty()) throw NotRepaired("the passes' differences don't explain it");
+    if (lossy_.size() == 1) return causesOf(found);
+    scenes_.resize(scenes.size());
+    inParallel(scenes.size() - 1, threads_,
+               [&](std::size_t i) { scenes_[i + 1] = record(scenes[i + 1]); });
+    while (!settle(found)) {
+    }
+    return causesOf(found);
   }
 
 private:
   /// Points that items lost in a scene, were it the only one.
-  double lossIn(const std::vector<results::Item>& items, const std::string& scene) const {
+  double lossIn(const std::vector<results::Item>& items, std::size_t scene) const {
     double loss = 0;
     for (const results::Item& item : items)
       for (const results::SceneCredit& one : item.credits)
-        if (one.scene == scene) loss += item.points * (1 - one.credit);
+        if (one.scene == graded_.scenes[scene].name && item.kind != results::ItemKind::bonus)
+          loss += item.points * (1 - one.credit);
     return loss;
+  }
+
+  /// So much may still be lost in a scene that counts as right.
+  double free(std::size_t scene) const {
+    return std::max(kRight * lossIn(items_, scene), kRightPoints);
   }
 
   /// Scenes in which points were lost, the worst first.
   std::vector<std::size_t> lossyScenes() const {
     std::vector<std::pair<double, std::size_t>> found;
     for (std::size_t i = 0; i < graded_.scenes.size(); ++i) {
-      const double loss = lossIn(items_, graded_.scenes[i].name);
+      const double loss = lossIn(items_, i);
       if (loss <= 0) continue;
       if (!graded_.scenes[i].rendering.happened.ok()) return {};
       found.emplace_back(-loss, i);
@@ -131,64 +127,59 @@ private:
     return scenes;
   }
 
-  bool record(std::size_t index, std::string& why) {
+  TapedScene record(std::size_t index) {
     const GradedScene& scene = graded_.scenes[index];
-    const Rendering taped =
-        graded_.program->render(scene.scene, scene.times, graded_.shaders,
-                                tapingRequest(std::uint32_t(scene.times.size())));
-    if (!taped.happened.ok()) return why = "it ends otherwise when it is recorded", false;
+    Rendering taped = graded_.program->render(scene.scene, scene.times, graded_.shaders,
+                                              tapingRequest(std::uint32_t(scene.times.size())));
+    if (!taped.happened.ok()) throw NotRepaired("it ends otherwise when it is recorded");
     if (!taped.capture.tapeRefused.empty())
-      return why = "the program " + taped.capture.tapeRefused, false;
-    repair::Comparison comparison =
-        repair::compare(tape::read(taped.capture.tape), own_.reference(index));
-    scenes_.push_back({index, tape::write(comparison.tape), std::move(comparison.differences)});
-    const channel::Capture again = play(scenes_.back(), {json::array()}).at(0);
-    if (const std::string difference = differenceOf(taped.capture, again); !difference.empty())
-      return why = "it is not drawn again as it was: " + difference, false;
-    return true;
+      throw NotRepaired("the program " + taped.capture.tapeRefused);
+    const tape::Tape tape = tape::read(taped.capture.tape);
+    taped.capture.tape.clear();
+    repair::Comparison comparison = repair::compare(tape, own_.reference(index));
+    return {index, std::move(taped.capture), tape::write(comparison.tape),
+            std::move(comparison.differences)};
   }
 
-  /// The scene with each of these patches.
-  std::vector<channel::Capture> play(const TapedScene& scene,
-                                     const std::vector<json>& patches) const {
+  /// Draws a scene as each of these has it.
+  std::vector<Drawn> draw(TapedScene& scene, const std::vector<std::vector<Unit>>& repaired) {
     const GradedScene& graded = graded_.scenes[scene.index];
-    const std::size_t frames = graded.times.size();
-    const std::size_t each = std::max<std::size_t>(1, kVariantFrames / frames);
-    std::vector<channel::Capture> all;
-    for (std::size_t at = 0; at < patches.size(); at += each) {
-      const std::vector<json> some(patches.begin() + std::ptrdiff_t(at),
-                                   patches.begin() +
-                                       std::ptrdiff_t(std::min(at + each, patches.size())));
-      trace::Request request = gradingRequest();
-      request.copyFrames = channel::kMaxFrames;
-      request.copyBytes = std::uint64_t{1} << 30;
-      const Rendering played =
-          grading::play(scene.tape, some, graded.scene.at("size").get<std::vector<std::uint32_t>>(),
-                        std::uint32_t(frames), graded_.shaders, request);
-      const std::size_t whole = played.capture.frames.size() / frames;
-      for (std::size_t i = 0; i < some.size(); ++i)
-        all.push_back(i < whole ? partOf(played.capture, i * frames, frames, graded.times)
-                                : channel::Capture());
+    std::vector<json> patches = {json::array()};
+    for (const std::vector<Unit>& units : repaired) patches.push_back(patchOf(scene, units));
+    const std::vector<channel::Capture> captures =
+        playEach(scene.tape, patches, graded.scene.at("size").get<std::vector<std::uint32_t>>(),
+                 graded.times, graded_.shaders);
+    if (!scene.drawn.frames.empty()) {
+      if (const std::string odd = differenceOf(scene.drawn, captures[0]); !odd.empty())
+        throw NotRepaired("it is not drawn again as it was: " + odd);
+      scene.drawn = {};
+    }
+    const std::vector<rubric::RawFrame> wanted = rubric::readFrames(graded.reference);
+    std::vector<Drawn> all;
+    for (std::size_t i = 1; i < captures.size(); ++i) {
+      Drawn& one = all.emplace_back();
+      if (captures[i].frames.empty()) continue;
+      one.folder = work_.path() / fmt::format("{}", folders_++);
+      fs::create_directories(one.folder);
+      trace::save(captures[i].trace, one.folder);
+      rubric::writeFrames(one.folder, rawFrames(captures[i]));
+      one.changed = !differenceOf(captures[0], captures[i]).empty();
+      one.distance = distance(captures[i].frames.back().pixels, wanted.back().pixels);
     }
     return all;
   }
 
-  /// What the rubric says of the scenes as drawn here; `drawn` is one to each of `scenes_`, or only
-  /// of the first ones.
-  std::vector<results::Item> judge(const std::vector<channel::Capture>& drawn) {
-    TemporaryFolder work;
+  /// What the rubric says of these items in the scenes that are given as drawn.
+  std::vector<results::Item> judge(const std::map<std::size_t, fs::path>& drawn,
+                                   const std::vector<std::string>& items) {
     std::vector<fs::path> students(graded_.scenes.size());
-    for (std::size_t i = 0; i < drawn.size(); ++i) {
-      if (drawn[i].frames.empty()) return {};
-      const fs::path folder = work.path() / fmt::format("repaired-{}", i);
-      fs::create_directories(folder);
-      trace::save(drawn[i].trace, folder);
-      rubric::writeFrames(folder, rawFrames(drawn[i]));
-      students[scenes_[i].index] = folder;
-    }
+    for (const auto& [scene, folder] : drawn) students[scene] = folder;
     std::string problem;
-    std::vector<results::Item> items = judge_.judge({students}, work.path(), problem);
-    return problem.empty() ? items : std::vector<results::Item>{};
+    auto judged =
+        judge_.judge({students, {fmt::format("--gtest_filter={}", fmt::join(items, ":"))}},
+                     work_.path(), problem);
+    if (!problem.empty()) throw NotRepaired(problem);
+    return judged;
   }
 
   static json patchOf(const TapedScene& scene, const std::vector<Unit>& units) {
@@ -199,80 +190,136 @@ private:
     return patch;
   }
 
-  /// The first set with which the worst scene is right; nothing: with none. All are drawn in one
-  /// run, and judged until one is right.
-  std::optional<std::vector<Unit>> firstRight(const std::vector<std::vector<Unit>>& sets) {
-    if (sets.empty()) return std::nullopt;
-    const TapedScene& worst = scenes_.front();
-    std::vector<json> patches;
-    for (const auto& set : sets) patches.push_back(patchOf(worst, set));
-    const std::vector<channel::Capture> drawn = play(worst, patches);
-    for (std::size_t i = 0; i < sets.size(); ++i) {
-      const auto items = judge({drawn[i]});
-      if (!items.empty() &&
-          lossIn(items, graded_.scenes[worst.index].name) <= std::max(kRight * lost_, kRightPoints))
-        return sets[i];
-    }
-    return std::nullopt;
+  bool isRight(const TapedScene& scene, const Drawn& drawn) {
+    return !drawn.folder.empty() && drawn.changed &&
+           lossIn(judge({{scene.index, drawn.folder}}, lossy_), scene.index) <= free(scene.index);
   }
 
-  /// The smallest set that makes the worst scene right: one unit, narrow before wide; else what
-  /// remains of a pass's units, or of all, when those that aren't needed are left out one by one.
-  std::vector<Unit> search(std::string& why) {
-    const TapedScene& worst = scenes_.front();
-    lost_ = lossIn(items_, graded_.scenes[worst.index].name);
-    std::vector<std::vector<Unit>> singles, passes;
-    std::map<std::size_t, std::vector<Unit>> byPass;
-    std::vector<Unit> all;
-    for (const repair::Difference& one : worst.differences) {
-      if (all.size() == kMostTried) break;
-      all.push_back(one.unit);
-      singles.push_back({one.unit});
-      byPass[one.unit.pass].push_back(one.unit);
+  /// The smallest set that makes a scene right with what is repaired already: one unit, narrow
+  /// before wide; else of all that are no wider than need be, those that can't be left out. Empty:
+  /// there is none.
+  std::vector<Unit> search(std::size_t at, const std::vector<Unit>& already) {
+    TapedScene& scene = scenes_[at];
+    const auto with = [&](std::vector<Unit> units) {
+      units.insert(units.end(), already.begin(), already.end());
+      return units;
+    };
+    std::vector<Unit> all; // narrow ones first
+    for (const repair::Difference& one : scene.differences)
+      if (all.size() < kMostTried && std::ranges::find(already, one.unit) == already.end())
+        all.push_back(one.unit);
+    if (all.empty()) return {};
+    std::vector<std::vector<Unit>> levels(kWidths), tried;
+    for (int width = 0; width < kWidths; ++width)
+      for (const Unit& unit : all)
+        if (widthOf(unit.name) <= width && !isWithinWider(unit, all, width))
+          levels[std::size_t(width)].push_back(unit);
+    for (const auto& level : levels) tried.push_back(with(level));
+    for (const Unit& unit : all) tried.push_back(with({unit}));
+    const std::vector<Drawn> drawn = draw(scene, tried);
+    // What isn't right with all of them isn't right with fewer.
+    if (!isRight(scene, drawn[kWidths - 1])) return {};
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) {
+      return std::pair(widthOf(all[i].name), drawn[kWidths + i].distance);
+    });
+    for (const std::size_t i : order)
+      if (isRight(scene, drawn[kWidths + i])) return {all[i]};
+    for (std::size_t width = 0; width < kWidths; ++width)
+      if (width + 1 == kWidths || isRight(scene, drawn[width]))
+        return withoutNeedless(scene, levels[width], already);
+    return {};
+  }
+
+  /// Does a wider unit replace it anyway, of those that are no wider than `width`?
+  static bool isWithinWider(const Unit& unit, const std::vector<Unit>& all, int width) {
+    return std::ranges::any_of(all, [&](const Unit& other) {
+      if (other.role != unit.role || widthOf(other.name) > width || other == unit) return false;
+      const std::string stage = other.name.starts_with("shader ") ? other.name.substr(7) : "";
+      return other.name == "draws" || (!stage.empty() && unit.name.starts_with("function ") &&
+                                       unit.name.ends_with(" in " + stage));
+    });
+  }
+
+  /// Leaves out what a right set doesn't need.
+  std::vector<Unit> withoutNeedless(TapedScene& scene, std::vector<Unit> set,
+                                    const std::vector<Unit>& already) {
+    const auto without = [&](const std::vector<Unit>& some) {
+      std::vector<Unit> rest = already;
+      for (const Unit& unit : set)
+        if (std::ranges::find(some, unit) == some.end()) rest.push_back(unit);
+      return rest;
+    };
+    std::vector<std::vector<Unit>> tried;
+    for (const Unit& unit : set) tried.push_back(without({unit}));
+    const std::vector<Drawn> drawn = draw(scene, tried);
+    std::vector<Unit> needless;
+    for (std::size_t i = 0; i < set.size(); ++i)
+      if (!drawn[i].changed || isRight(scene, drawn[i])) needless.push_back(set[i]);
+    // Each alone is needless; together they may not be.
+    while (needless.size() > 1 && !isRight(scene, draw(scene, {without(needless)})[0]))
+      needless.pop_back();
+    std::erase_if(
+        set, [&](const Unit& unit) { return std::ranges::find(needless, unit) != needless.end(); });
+    return set;
+  }
+
+  /// What other scenes need besides, where that makes them right.
+  std::vector<Unit> searchOthers(const std::vector<results::Item>& repaired,
+                                 const std::vector<Unit>& found) {
+    std::vector<Unit> more;
+    for (std::size_t i = 1; i < scenes_.size() && more.empty(); ++i)
+      if (lossIn(repaired, scenes_[i].index) > free(scenes_[i].index)) more = search(i, found);
+    return more;
+  }
+
+  std::vector<ProvedCause> causesOf(const std::vector<Unit>& found) {
+    if (found.size() > kMostCauses)
+      throw NotRepaired(fmt::format("it takes {} changes to make it right", found.size()));
+    std::vector<ProvedCause> causes;
+    for (const Unit& unit : found) {
+      const auto in = std::ranges::find_if(scenes_, [&](const TapedScene& scene) {
+        return std::ranges::find(scene.differences, unit, &repair::Difference::unit) !=
+               scene.differences.end();
+      });
+      const repair::Difference& one =
+          *std::ranges::find(in->differences, unit, &repair::Difference::unit);
+      causes.push_back({one.passes, unit.name, own_.ownersOf(one)});
     }
-    if (const auto found = firstRight(singles)) return *found;
-    for (const auto& [pass, units] : byPass)
-      if (units.size() > 1) passes.push_back(units);
-    if (byPass.size() > 1) passes.push_back(all);
-    auto found = firstRight(passes);
-    if (!found || found->size() > kMostLeftOut) {
-      why = fmt::format("the passes' {} differences don't explain it", all.size());
-      return {};
-    }
-    for (std::size_t i = found->size(); i-- > 0;) {
-      std::vector<Unit> fewer = *found;
-      fewer.erase(fewer.begin() + std::ptrdiff_t(i));
-      if (!fewer.empty() && firstRight({fewer})) *found = fewer;
-    }
-    if (found->size() > kMostCauses) {
-      why = fmt::format("it takes {} changes to make it right", found->size());
-      return {};
-    }
-    return *found;
+    return causes;
   }
 
   /// Each item keeps the better of what it had and what it has when all causes are repaired but
-  /// those that are its own work.
-  void settle(const std::vector<ProvedCause>& causes) {
-    std::map<std::vector<Unit>, std::vector<std::string>> variants; // what is repaired: for whom
-    for (const results::Item& item : items_) {
+  /// those that are its own work. False: a scene needs more than `found`, which now has that, too.
+  bool settle(std::vector<Unit>& found) {
+    const std::vector<ProvedCause> causes = causesOf(found);
+    std::map<std::vector<Unit>, std::vector<std::string>> byRepaired; // what is repaired: for whom
+    for (const std::string& id : lossy_) {
       std::vector<Unit> repaired;
-      for (const ProvedCause& cause : causes)
-        if (!isWorkOf(cause, item)) repaired.push_back({cause.pass, cause.unit});
-      if (!repaired.empty()) variants[repaired].push_back(item.id);
+      for (std::size_t i = 0; i < causes.size(); ++i)
+        if (!isWorkOf(causes[i], declared_.at(id))) repaired.push_back(found[i]);
+      if (!repaired.empty()) byRepaired[repaired].push_back(id);
+    }
+    std::vector<std::vector<Unit>> variants = {found};
+    for (const auto& [repaired, ids] : byRepaired) variants.push_back(repaired);
+    std::vector<std::vector<Drawn>> drawn(scenes_.size());
+    inParallel(scenes_.size(), threads_,
+               [&](std::size_t i) { drawn[i] = draw(scenes_[i], variants); });
+    const auto judged = [&](std::size_t variant, const std::vector<std::string>& items) {
+      std::map<std::size_t, fs::path> folders;
+      for (std::size_t i = 0; i < scenes_.size(); ++i)
+        folders[scenes_[i].index] = drawn[i][variant].folder;
+      return judge(folders, items);
+    };
+    if (const std::vector<Unit> more = searchOthers(judged(0, lossy_), found); !more.empty()) {
+      found.insert(found.end(), more.begin(), more.end());
+      return false;
     }
     const std::vector<results::Item> before = items_;
-    std::vector<std::vector<channel::Capture>> drawn(variants.size());
-    for (const TapedScene& scene : scenes_) {
-      std::vector<json> patches;
-      for (const auto& [repaired, ids] : variants) patches.push_back(patchOf(scene, repaired));
-      auto captures = play(scene, patches);
-      for (std::size_t i = 0; i < captures.size(); ++i) drawn[i].push_back(std::move(captures[i]));
-    }
-    std::size_t i = 0;
-    for (const auto& [repaired, ids] : variants)
-      for (const results::Item& again : judge(drawn[i++]))
-        if (std::ranges::find(ids, again.id) != ids.end()) keepBetter(again, causes);
+    for (std::size_t k = 1; k < variants.size(); ++k)
+      for (const results::Item& again : judged(k, byRepaired[variants[k]]))
+        keepBetter(again, causes);
     chargeOnce(before);
     double spoiled = 0;
     for (const results::Item& item : items_)
@@ -280,6 +327,7 @@ private:
     for (results::Item& item : items_)
       if (item.kind == results::ItemKind::keep && spoiled > kSpoiledPoints)
         item.earned *= kSpoiledPoints / spoiled;
+    return true;
   }
 
   /// A fault is never free: where none of those whose work it is lost anything, the item that lost
@@ -296,13 +344,12 @@ private:
 
   /// Items say what their work is; else it is the step's that they stand for. What was right from
   /// the start is the work of those that keep it.
-  bool isWorkOf(const ProvedCause& cause, const results::Item& item) const {
+  bool isWorkOf(const ProvedCause& cause, const ItemDeclaration& item) const {
     if (cause.todos.empty()) return item.kind == results::ItemKind::keep;
     if (item.kind == results::ItemKind::keep) return false;
     const bool isNamed = std::ranges::any_of(
         declared_, [&](const auto& one) { return names(one.second, cause.unit); });
-    const ItemDeclaration& declared = declared_.at(item.id);
-    return isNamed ? names(declared, cause.unit) : cause.todos.contains(declared.step);
+    return isNamed ? names(item, cause.unit) : cause.todos.contains(item.step);
   }
 
   static bool names(const ItemDeclaration& declared, const std::string& unit) {
@@ -330,7 +377,8 @@ private:
     item->message = worstMessage(*item);
     item->repaired.clear();
     for (const ProvedCause& cause : causes)
-      if (!isWorkOf(cause, *item)) item->repaired.push_back(diagnosis::nameOf(cause));
+      if (!isWorkOf(cause, declared_.at(item->id)))
+        item->repaired.push_back(diagnosis::nameOf(cause));
   }
 
   bool isTaped(const std::string& scene) const {
@@ -342,89 +390,15 @@ private:
   Judge& judge_;
   Graded& graded_;
   std::vector<results::Item>& items_;
+  const unsigned threads_;
   std::map<std::string, ItemDeclaration> declared_;
+  std::vector<std::string> lossy_; ///< items that lost points
   std::vector<TapedScene> scenes_; ///< the worst one first
-  double lost_ = 0;                ///< in it
+  TemporaryFolder work_;
+  std::atomic<int> folders_ = 0;
 };
 
 } // namespace
-
-OwnTapes::OwnTapes(const Target& target, fs::path solutionFolder, const References& references)
-    : target_(target), solutionFolder_(std::move(solutionFolder)), references_(references) {}
-
-tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& scene) {
-  Program program(target_.assignment, recipe);
-  const Rendering taped = program.render(scene.scene, scene.times, references_.ownShaders,
-                                         tapingRequest(std::uint32_t(scene.times.size())));
-  if (!taped.happened.ok() || !taped.capture.tapeRefused.empty())
-    throw std::runtime_error("our own program has no tape: " + taped.happened.detail +
-                             taped.capture.tapeRefused);
-  return tape::read(taped.capture.tape);
-}
-
-const tape::Tape& OwnTapes::reference(std::size_t scene) {
-  const std::lock_guard lock(mutex_);
-  const auto found = reference_.find(scene);
-  if (found != reference_.end()) return found->second;
-  return reference_.emplace(scene, record({solutionFolder_}, references_.scenes.at(scene)))
-      .first->second;
-}
-
-void OwnTapes::learnOwners() {
-  const rubric::SceneFolders& scene = references_.scenes.at(0);
-  const fs::path file =
-      cacheFolder() / "owners" /
-      hashOf(referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
-  if (fs::exists(file)) {
-    for (const json& one : readJson(file))
-      changedBy_[{one.at("pass"), one.at("unit")}] =
-          one.at("todos").get<std::map<std::string, std::set<std::string>>>();
-    return;
-  }
-  const tape::Tape& right = reference(0);
-  std::set<std::string> filled;
-  tape::Tape before = record({solutionFolder_, {}, filled}, scene);
-  for (const Part& part : target_.parts)
-    for (const auto& todo : part.todos) {
-      filled.insert(todo.id);
-      tape::Tape after = record({solutionFolder_, {}, filled}, scene);
-      const repair::Comparison step = repair::compare(before, after);
-      const auto inReference = repair::compare(after, right).passes;
-      const auto changed = [&](const Unit& unit, const std::set<std::string>& lines) {
-        if (const auto pass = inReference.find(unit.pass); pass != inReference.end())
-          changedBy_[{pass->second, unit.name}][todo.id] = lines;
-      };
-      for (const repair::Difference& one : step.differences) changed(one.unit, one.lacks);
-      // What the step draws that was not there before is its work, whole.
-      for (const Unit& unit : repair::compare(after, after).compared)
-        if (!step.compared.contains(unit)) changed(unit, {});
-      before = std::move(after);
-    }
-  json kept = json::array();
-  for (const auto& [unit, todos] : changedBy_)
-    kept.push_back({{"pass", unit.pass}, {"unit", unit.name}, {"todos", todos}});
-  TemporaryFolder work(file.parent_path());
-  report::writeFile(work.path() / "owners", kept.dump());
-  keep(work.path() / "owners", file);
-}
-
-std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
-  const std::lock_guard lock(owners_);
-  if (!learned_) {
-    learnOwners();
-    learned_ = true;
-  }
-  const auto found = changedBy_.find(difference.unit);
-  if (found == changedBy_.end()) return {};
-  std::set<std::string> all, byLine;
-  for (const auto& [todo, lines] : found->second) {
-    all.insert(todo);
-    if (std::ranges::any_of(
-            lines, [&](const std::string& line) { return difference.lacks.contains(line); }))
-      byLine.insert(todo);
-  }
-  return byLine.empty() ? all : byLine;
-}
 
 bool& repairs() {
   static bool on = false;
@@ -432,17 +406,17 @@ bool& repairs() {
 }
 
 bool isWorthRepair(const results::Result& result) {
-  if (!report::scored(result.outcome)) return false;
-  return std::ranges::count_if(result.items, [](const results::Item& item) {
+  return report::scored(result.outcome) &&
+         std::ranges::any_of(result.items, [](const results::Item& item) {
            return item.kind != results::ItemKind::bonus && report::lost(item) > 0;
-         }) > 1;
+         });
 }
 
 std::vector<results::ProvedCause> repairFaults(const Target& target, OwnTapes& own, Judge& judge,
-                                               Graded& graded, std::string& why) {
+                                               Graded& graded, unsigned threads, std::string& why) {
   const std::vector<results::Item> before = graded.result.items;
   try {
-    return Repairing(target, own, judge, graded).run(why);
+    return Repairing(target, own, judge, graded, threads).run();
   } catch (const UsageError&) {
     throw; // a full disk is nobody's fault of these
   } catch (const std::exception& error) {

@@ -11,6 +11,9 @@ namespace {
 /// Room for a tape: ten times what the largest reference needs.
 constexpr std::uint64_t kTapeBytes = std::uint64_t{256} << 20;
 
+/// Variants that one run draws: so many frames fit a channel.
+constexpr std::size_t kVariantFrames = 48;
+
 std::string describe(const trace::Trace& trace, const trace::CopyRecord& copy) {
   const trace::PassRecord& pass = trace.passes[copy.pass];
   return fmt::format("{} after pass {} ({} draws)", trace::attachmentName(copy.attachment),
@@ -33,6 +36,35 @@ Rendering play(const std::vector<std::byte>& tape, const std::vector<nlohmann::j
   return renderScene("play", toolchain::kPlayerFolder, scene,
                      std::vector<double>(patches.size() * frames, 0.0), shaders, isolation(),
                      request, {}, false, tape);
+}
+
+std::vector<channel::Capture> playEach(const std::vector<std::byte>& tape,
+                                       const std::vector<nlohmann::json>& patches,
+                                       const std::vector<std::uint32_t>& size,
+                                       const std::vector<double>& times,
+                                       const ShaderCache& shaders) {
+  const std::size_t frames = times.size(),
+                    together = std::max(std::size_t{1}, kVariantFrames / frames);
+  trace::Request request = gradingRequest();
+  request.copyFrames = channel::kMaxFrames;
+  request.copyBytes = std::uint64_t{1} << 30;
+  std::vector<channel::Capture> all;
+  for (std::size_t at = 0; at < patches.size(); at += together) {
+    const std::vector<nlohmann::json> some(
+        patches.begin() + std::ptrdiff_t(at),
+        patches.begin() + std::ptrdiff_t(std::min(at + together, patches.size())));
+    const Rendering played = play(tape, some, size, std::uint32_t(frames), shaders, request);
+    const std::size_t whole = played.capture.frames.size() / frames;
+    for (std::size_t i = 0; i < some.size(); ++i) {
+      channel::Capture& one = all.emplace_back();
+      if (i >= whole) continue;
+      const auto first = played.capture.frames.begin() + std::ptrdiff_t(i * frames);
+      one.frames.assign(first, first + std::ptrdiff_t(frames));
+      for (std::size_t k = 0; k < frames; ++k) one.frames[k].time = times[k];
+      one.trace = trace::framesOf(played.capture.trace, i * frames, frames);
+    }
+  }
+  return all;
 }
 
 std::string differenceOf(const channel::Capture& drawn, const channel::Capture& played) {

@@ -17,6 +17,15 @@ Rendering play(const std::vector<std::byte>& tape, const std::vector<nlohmann::j
                const std::vector<std::uint32_t>& size, std::uint32_t frames,
                const ShaderCache& shaders, const trace::Request& request);
 
+/// As `play` with grading's request: for each patch what it drew, with its first frame's passes;
+/// without frames where the player didn't get that far.
+/// \param times of the frames, seconds
+std::vector<channel::Capture> playEach(const std::vector<std::byte>& tape,
+                                       const std::vector<nlohmann::json>& patches,
+                                       const std::vector<std::uint32_t>& size,
+                                       const std::vector<double>& times,
+                                       const ShaderCache& shaders);
+
 /// Where the second drew something else than the first, in words; empty: every frame, and every
 /// copy of every pass, is equal bit for bit.
 std::string differenceOf(const channel::Capture& drawn, const channel::Capture& played);

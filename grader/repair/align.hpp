@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace ggrade::repair {
@@ -19,6 +20,11 @@ struct Pass {
 
 /// The passes of a tape's commands, in order.
 std::vector<Pass> passesOf(const nlohmann::json& commands);
+
+/// Passes have the same role, in this scene and in others, that draw with the same shaders into the
+/// same kind of place: all steps down a pyramid, say.
+std::string roleOf(const std::vector<std::vector<std::byte>>& blobs, const nlohmann::json& commands,
+                   const Pass& pass);
 
 struct CommandPair {
   std::optional<std::size_t> one, other; ///< indices; nothing: the other tape alone has it

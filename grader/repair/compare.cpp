@@ -73,22 +73,30 @@ public:
   Comparison run() {
     pairs_ = align(result_.tape.commands, reference_);
     mapImages();
-    for (const PassPair& pair : pairs_) comparePass(pair);
-    std::map<std::size_t, std::size_t> ordinals; // of commands
-    for (const Pass& pass : passesOf(result_.tape.commands))
-      for (const std::size_t command : pass.commands) ordinals[command] = pass.ordinal;
-    for (const PassPair& pair : pairs_)
-      for (const CommandPair& both : pair.commands)
-        if (pair.other.frame == 0 && both.one && both.other)
-          result_.passes.try_emplace(ordinals.at(*both.one), pair.other.ordinal);
-    for (auto& [unit, patch] : found_)
-      result_.differences.push_back({unit, std::move(patch), lacks_[unit]});
+    const std::vector<Pass> passes = passesOf(result_.tape.commands);
+    std::map<std::size_t, const Pass*> passOf; // the submission's, by command
+    for (const Pass& pass : passes)
+      for (const std::size_t command : pass.commands) passOf[command] = &pass;
+    for (const PassPair& pair : pairs_) {
+      role_ = roleOf(result_.tape.blobs, reference_, pair.other);
+      first_ = std::nullopt;
+      for (const CommandPair& both : pair.commands) {
+        if (!both.one || !both.other) continue;
+        const Pass& pass = *passOf.at(*both.one);
+        if (!first_) first_ = pass.ordinal;
+        result_.roles[roleOf(result_.tape.blobs, result_.tape.commands, pass)].insert(role_);
+      }
+      comparePass(pair);
+    }
+    for (auto& [unit, difference] : found_)
+      if (!difference.patch.empty()) result_.differences.push_back(std::move(difference));
     std::ranges::stable_sort(result_.differences, {}, [](const Difference& one) {
       const std::string& name = one.unit.name;
-      return name.starts_with("shader")                       ? 2
-             : name == "draws"                                ? 3
-             : name == "attachments" || name == "framebuffer" ? 1
-                                                              : 0;
+      const int width = name.starts_with("shader")                       ? 2
+                        : name == "draws"                                ? 3
+                        : name == "attachments" || name == "framebuffer" ? 1
+                                                                         : 0;
+      return std::pair(width, *one.passes.begin());
     });
     return std::move(result_);
   }
@@ -159,18 +167,19 @@ private:
     same_ = std::move(same);
   }
 
-  void patch(const PassPair& pair, const std::string& unit, const std::string& path,
-             const json& value) {
-    result_.compared.insert({pair.other.ordinal, unit});
+  void patch(const std::string& unit, const std::string& path, const json& value) {
+    result_.compared.insert({role_, unit});
     const json* at = nullptr;
     const json::json_pointer where(path);
     if (result_.tape.commands.contains(where)) at = &result_.tape.commands.at(where);
     if (at && *at == value) return;
-    json& patch = found_.try_emplace({pair.other.ordinal, unit}, json::array()).first->second;
-    patch.push_back({{"op", at ? "replace" : "add"}, {"path", path}, {"value", value}});
+    Difference& difference = found_[{role_, unit}];
+    difference.unit = {role_, unit};
+    difference.passes.insert(*first_);
+    difference.patch.push_back({{"op", at ? "replace" : "add"}, {"path", path}, {"value", value}});
   }
 
-  void compareState(const PassPair& pair, std::size_t i, const json& theirs) {
+  void compareState(std::size_t i, const json& theirs) {
     for (const auto& [key, value] : theirs.at("state").items()) {
       std::string unit = key;
       if (key.starts_with("stencil")) unit = "stencil";
@@ -178,23 +187,22 @@ private:
       if (key.starts_with("depth") && key != "depthClamp") unit = "depth";
       if (key == "cull" || key == "cullFace") unit = "culling";
       if (key == "scissor" || key == "scissorTest") unit = "scissor";
-      patch(pair, unit, pointer({std::to_string(i), "state", key}), value);
+      patch(unit, pointer({std::to_string(i), "state", key}), value);
     }
   }
 
   /// What a pass draws into: the window or not, which images at which points, how these are made.
-  void compareTarget(const PassPair& pair, std::size_t i, const json& theirs) {
+  void compareTarget(std::size_t i, const json& theirs) {
     const bool isWindow = result_.tape.commands[i].at("target").contains("window");
     const bool isSame = isWindow == theirs.at("target").contains("window");
-    patch(pair, isSame ? "attachments" : "framebuffer", pointer({std::to_string(i), "target"}),
+    patch(isSame ? "attachments" : "framebuffer", pointer({std::to_string(i), "target"}),
           theirs["target"]);
     if (theirs["target"].contains("window")) return;
     for (const auto& [point, one] : theirs["target"].at("attachments").items())
-      if (images_.insert({pair.other.ordinal, one.at("image")}).second)
-        compareImage(pair, one["image"]);
+      if (images_.insert({role_, one.at("image")}).second) compareImage(one["image"]);
   }
 
-  void compareImage(const PassPair& pair, const json& own) {
+  void compareImage(const json& own) {
     const auto theirs =
         std::ranges::find_if(same_, [&](const auto& one) { return own == one.second; });
     if (theirs == same_.end()) return;
@@ -207,7 +215,7 @@ private:
       json value = *wanted;
       value["id"] = own;
       if (withoutData(commands[i]) != withoutData(value))
-        patch(pair, "attachments", pointer({std::to_string(i)}), value);
+        patch("attachments", pointer({std::to_string(i)}), value);
     }
   }
 
@@ -219,7 +227,7 @@ private:
     return image;
   }
 
-  void compareProgram(const PassPair& pair, std::size_t i, const json& own, const json& theirs) {
+  void compareProgram(std::size_t i, const json& own, const json& theirs) {
     const std::string at = std::to_string(i);
     const json &stages = own.at("program").at("stages"),
                &wanted = theirs.at("program").at("stages");
@@ -228,7 +236,7 @@ private:
       if (stages[k].at("stage") != wanted[k].at("stage")) return;
       const std::size_t a = stages[k].at("blob"), b = wanted[k].at("blob");
       const std::string stage = wanted[k].at("stage");
-      result_.compared.insert({pair.other.ordinal, "shader " + stage});
+      result_.compared.insert({role_, "shader " + stage});
       const std::string source = textOf(result_.tape.blobs.at(a)),
                         right = textOf(result_.tape.blobs.at(b));
       const auto functions = functionsOf(source), rightOnes = functionsOf(right);
@@ -238,23 +246,23 @@ private:
         const auto found = functions.find(name);
         if (found == functions.end()) continue;
         const std::string unit = "function " + name + " in " + stage;
-        result_.compared.insert({pair.other.ordinal, unit});
+        result_.compared.insert({role_, unit});
         if (found->second.words == function.words) continue;
         differs = true;
-        auto& lacks = lacks_[{pair.other.ordinal, unit}];
+        auto& lacks = found_[{role_, unit}].lacks;
         std::ranges::set_difference(function.lines, found->second.lines,
                                     std::inserter(lacks, lacks.end()));
         std::string changed = source;
         changed.replace(found->second.begin, found->second.end - found->second.begin,
                         right.substr(function.begin, function.end - function.begin));
-        patch(pair, unit, path, blobOf(changed));
+        patch(unit, path, blobOf(changed));
       }
       if (!differs) continue;
       const std::string unit = "shader " + stage;
-      patch(pair, unit, path, b);
+      patch(unit, path, b);
       for (const char* key : {"uniforms", "textures", "blocks"})
         for (const auto& [name, value] : theirs.at(key).items())
-          if (!own.at(key).contains(name)) patch(pair, unit, pointer({at, key, name}), value);
+          if (!own.at(key).contains(name)) patch(unit, pointer({at, key, name}), value);
     }
   }
 
@@ -267,27 +275,27 @@ private:
     return found->second;
   }
 
-  void compareDraw(const PassPair& pair, std::size_t i, const json& theirs) {
+  void compareDraw(std::size_t i, const json& theirs) {
     const json own = result_.tape.commands[i]; // patches are looked up in the commands as they are
     const std::string at = std::to_string(i);
-    compareProgram(pair, i, own, theirs);
+    compareProgram(i, own, theirs);
     for (const std::string what : {"uniform", "block", "texture", "attribute"})
       for (const auto& [name, value] : theirs.at(what + 's').items())
         if (own.at(what + 's').contains(name))
-          patch(pair, what + ' ' + name, pointer({at, what + 's', name}), value);
+          patch(what + ' ' + name, pointer({at, what + 's', name}), value);
   }
 
-  void compareClear(const PassPair& pair, std::size_t i, const json& theirs) {
+  void compareClear(std::size_t i, const json& theirs) {
     if (theirs.at("op") == "clear") {
       for (const std::string what : {"color", "depth", "stencil"})
         for (const std::string& key : {what + 's', what})
-          patch(pair, "clear " + what, pointer({std::to_string(i), key}), theirs.at(key));
+          patch("clear " + what, pointer({std::to_string(i), key}), theirs.at(key));
       return;
     }
     for (const auto& [key, value] : theirs.items())
       if (key != "state" && key != "target" && key != "op")
-        patch(pair, theirs["op"] == "clearBuffer" ? "clear" : "copy",
-              pointer({std::to_string(i), key}), value);
+        patch(theirs["op"] == "clearBuffer" ? "clear" : "copy", pointer({std::to_string(i), key}),
+              value);
   }
 
   void comparePass(const PassPair& pair) {
@@ -301,20 +309,19 @@ private:
       }
       const json& theirs = reference_[*both.other];
       const std::size_t i = *both.one;
-      if (theirs.contains("target")) compareTarget(pair, i, theirs);
-      if (theirs.contains("state") && theirs["state"].contains("viewport"))
-        compareState(pair, i, theirs);
+      if (theirs.contains("target")) compareTarget(i, theirs);
+      if (theirs.contains("state") && theirs["state"].contains("viewport")) compareState(i, theirs);
       if (theirs.at("op") == "draw")
-        compareDraw(pair, i, theirs);
+        compareDraw(i, theirs);
       else
-        compareClear(pair, i, theirs);
+        compareClear(i, theirs);
     }
-    result_.compared.insert({pair.other.ordinal, "draws"});
+    result_.compared.insert({role_, "draws"});
     if (!differs) return;
     bool isFirst = true;
     for (const CommandPair& both : pair.commands) {
       if (!both.one) continue;
-      patch(pair, "draws", pointer({std::to_string(*both.one)}),
+      patch("draws", pointer({std::to_string(*both.one)}),
             {{"op", "group"}, {"commands", isFirst ? group : json::array()}});
       isFirst = false;
     }
@@ -324,10 +331,11 @@ private:
   json reference_;
   std::vector<PassPair> pairs_;
   std::map<std::uint64_t, std::uint64_t> same_;
-  std::map<Unit, json> found_;
-  std::map<Unit, std::set<std::string>> lacks_;
+  std::string role_;                 ///< of the pass that is being compared
+  std::optional<std::size_t> first_; ///< its ordinal in the submission
+  std::map<Unit, Difference> found_;
   std::map<std::string, std::uint64_t> made_;
-  std::set<std::pair<std::size_t, json>> images_; ///< of passes, that were compared
+  std::set<std::pair<std::string, json>> images_; ///< of roles, that were compared
 };
 
 } // namespace

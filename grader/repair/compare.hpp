@@ -1,8 +1,8 @@
 #pragma once
 /// \file
-/// What a submission's tape and the reference's differ in, as *units*: one thing of one pass, such
-/// as its viewport, a uniform, a function of a shader, what a sampler reads. Each with the patch
-/// that puts the reference's in its place.
+/// What a submission's tape and the reference's differ in, as *units*: one thing of the passes of
+/// one role, such as their viewport, a uniform, a function of a shader, what a sampler reads. Each
+/// with the patch that puts the reference's in its place.
 
 #include "replay/tape.hpp"
 
@@ -14,13 +14,14 @@
 namespace ggrade::repair {
 
 struct Unit {
-  std::size_t pass = 0; ///< the reference's pass, counted within a frame
-  std::string name;     ///< "viewport", "uniform uLight", "function visibility in fragment"
+  std::string role; ///< of the reference's passes, see roleOf (align.hpp)
+  std::string name; ///< "viewport", "uniform uLight", "function visibility in fragment"
   auto operator<=>(const Unit&) const = default;
 };
 
 struct Difference {
   Unit unit;
+  std::set<std::size_t> passes;                   ///< of the submission, counted within a frame
   nlohmann::json patch = nlohmann::json::array(); ///< RFC 6902, of Comparison::tape's commands
   /// Of a function: the reference's lines that the submission's lacks.
   std::set<std::string> lacks{};
@@ -28,9 +29,10 @@ struct Difference {
 
 struct Comparison {
   tape::Tape tape; ///< the submission's, with blobs and images that patches name
-  std::vector<Difference> differences;       ///< narrow ones first
-  std::set<Unit> compared;                   ///< units that both have, different or not
-  std::map<std::size_t, std::size_t> passes; ///< of the submission's first frame: the reference's
+  std::vector<Difference> differences; ///< narrow ones first
+  std::set<Unit> compared;             ///< units that both have, different or not
+  /// Of the submission's passes: those of the reference's that do the same.
+  std::map<std::string, std::set<std::string>> roles;
 };
 
 /// Throws nlohmann::json::exception for a tape that isn't made as tapes are.

@@ -114,7 +114,7 @@ Json extraData(const results::Result& result) {
                                  {"place", sanitizeLine(diagnosis.place)}});
   for (const results::ProvedCause& cause : result.causes)
     data["proved_causes"].push_back(
-        {{"pass", cause.pass}, {"unit", sanitizeLine(cause.unit)}, {"todos", cause.todos}});
+        {{"passes", cause.passes}, {"unit", sanitizeLine(cause.unit)}, {"todos", cause.todos}});
   if (!result.causesSought.empty()) data["causes_sought"] = sanitizeLine(result.causesSought, 400);
   for (const results::Item& item : result.items) {
     Json credits = Json::object();

@@ -135,9 +135,9 @@ struct Diagnosis {
 
 /// What was wrong, proved by drawing it again with the reference's in its place.
 struct ProvedCause {
-  std::size_t pass = 0;        ///< the reference's, counted within a frame
-  std::string unit;            ///< "viewport", "uniform uLight", "function visibility in fragment"
-  std::set<std::string> todos; ///< whose work it is; none: it was right before, and was spoiled
+  std::set<std::size_t> passes; ///< of the submission, counted within a frame from 0
+  std::string unit;             ///< "viewport", "uniform uLight", "function visibility in fragment"
+  std::set<std::string> todos;  ///< whose work it is; none: it was right before, and was spoiled
 };
 
 struct Timing {

@@ -114,8 +114,9 @@ int judgeItems(const Evidence& evidence, const std::vector<ItemDeclaration>& ite
 /// Judges submissions in the same scenes. `evidence` names no student's folders; every line on
 /// stdin is a request `{"students": [folder, ...], "arguments": [...], "again": [item, ...],
 /// "results": file, "done": file}`. Each is answered by judgeItems in a process of its own; `done`
-/// is then made: kJudged, or what went wrong; empty if not even that could be written. `many`: what
-/// only the reference decides is worked out before the first. Ends with stdin.
+/// is then made: kJudged, or what went wrong; empty if not even that could be written. `many`, or a
+/// line `{"warm": true}`: what only the reference decides is worked out before the next. Ends with
+/// stdin.
 inline constexpr char kJudged[] = "judged";
 int serveJudge(const std::filesystem::path& evidence, bool many);
 

@@ -112,13 +112,19 @@ int serveJudge(const fs::path& evidenceFile, bool many) {
   Common common;
   common.evidence = readEvidence(evidenceFile);
   common.items = targetOf(common.evidence).items();
-  if (many)
+  const auto warmAll = [&] {
     for (const ItemDeclaration& item : common.items)
       warm(item, judgeOf(item.id), common.evidence, common.floors);
+  };
+  if (many) warmAll();
   for (std::string line; std::getline(std::cin, line);) {
     while (waitpid(-1, nullptr, WNOHANG) > 0) {
     }
     const json request = json::parse(line);
+    if (request.contains("warm")) {
+      warmAll();
+      continue;
+    }
     const pid_t pid = forkBound();
     if (pid == 0) handle(common, request);
     if (pid < 0) tell(request.at("done").get<std::string>(), waitFor(pid, {}));

@@ -159,4 +159,45 @@ Image decodePixels(std::span<const std::byte> bytes, PixelType type, std::uint32
   return image;
 }
 
+Trace framesOf(const Trace& all, std::size_t first, std::size_t count) {
+  Trace part;
+  part.frames.assign(all.frames.begin() + std::ptrdiff_t(first),
+                     all.frames.begin() + std::ptrdiff_t(first + count));
+  const std::uint32_t begin = part.frames.front().firstPass;
+  const std::uint32_t end = part.frames.back().firstPass + part.frames.back().passCount;
+  const auto isOurs = [&](std::uint32_t pass) { return pass >= begin && pass < end; };
+  for (FrameTrace& frame : part.frames) frame.firstPass -= begin;
+  for (std::uint32_t i = begin; i < end; ++i) {
+    PassRecord pass = all.passes[i];
+    pass.frame -= std::uint32_t(first);
+    pass.firstStep = std::uint32_t(part.steps.size());
+    for (StepRecord step : all.stepsOf(all.passes[i])) {
+      const auto matrices = all.matricesOf(step);
+      const auto samples = all.samplesOf(step);
+      step.pass = i - begin;
+      step.firstMatrix = std::uint32_t(part.matrices.size());
+      step.firstSample = std::uint32_t(part.samples.size());
+      part.matrices.insert(part.matrices.end(), matrices.begin(), matrices.end());
+      for (SampleRecord sample : samples) {
+        sample.writer = isOurs(sample.writer) ? sample.writer - begin : kNone;
+        part.samples.push_back(sample);
+      }
+      part.steps.push_back(step);
+    }
+    part.passes.push_back(pass);
+  }
+  for (CopyRecord copy : all.copies) {
+    if (!isOurs(copy.pass) || part.passes[copy.pass - begin].frame != 0) continue;
+    if (copy.step != kNone)
+      copy.step =
+          copy.step - all.passes[copy.pass].firstStep + part.passes[copy.pass - begin].firstStep;
+    const auto bytes = std::span(all.pixels).subspan(copy.offset, copy.bytes);
+    copy.pass -= begin;
+    copy.offset = part.pixels.size();
+    part.pixels.insert(part.pixels.end(), bytes.begin(), bytes.end());
+    part.copies.push_back(copy);
+  }
+  return part;
+}
+
 } // namespace ggrade::trace

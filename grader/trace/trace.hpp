@@ -61,6 +61,10 @@ struct Trace {
   std::filesystem::path pixelFile;
 };
 
+/// `count` frames from `first` on as a trace of their own, whose copies are those of its first
+/// frame. What they sample of frames before has no writer. `all` has its copies in memory.
+Trace framesOf(const Trace& all, std::size_t first, std::size_t count);
+
 /// Writes `trace.bin` and `copies.bin` to `folder`; for this tool's own use, on this machine.
 /// Throws UsageError when the disk is full.
 void save(const Trace& trace, const std::filesystem::path& folder);

@@ -22,7 +22,7 @@ namespace {
 std::vector<std::string> names(const Comparison& comparison) {
   std::vector<std::string> all;
   for (const Difference& one : comparison.differences)
-    all.push_back(std::to_string(one.unit.pass) + ' ' + one.unit.name);
+    all.push_back(std::to_string(*one.passes.begin()) + ' ' + one.unit.name);
   return all;
 }
 

@@ -1,0 +1,107 @@
+#include "grading/own_tapes.hpp"
+
+#include "grading/replay.hpp"
+#include "report/write_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+namespace ggrade::grading {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using repair::Unit;
+
+OwnTapes::OwnTapes(const Target& target, fs::path solutionFolder, const References& references)
+    : target_(target), solutionFolder_(std::move(solutionFolder)), references_(references) {}
+
+tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& scene) {
+  Program program(target_.assignment, recipe);
+  const trace::Request request = tapingRequest(std::uint32_t(scene.times.size()));
+  const fs::path file =
+      cacheFolder() / "tapes" /
+      hashOf(program.key() + scene.scene.dump() + json(scene.times).dump() + identity(request));
+  if (!fs::exists(file)) {
+    const Rendering taped =
+        program.render(scene.scene, scene.times, references_.ownShaders, request);
+    if (!taped.happened.ok() || !taped.capture.tapeRefused.empty())
+      throw std::runtime_error("our own program has no tape: " + taped.happened.detail +
+                               taped.capture.tapeRefused);
+    TemporaryFolder work(file.parent_path());
+    const auto& bytes = taped.capture.tape;
+    report::writeFile(work.path() / "tape",
+                      {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    keep(work.path() / "tape", file);
+  }
+  const std::string bytes = readFile(file);
+  return tape::read(std::as_bytes(std::span(bytes)));
+}
+
+const tape::Tape& OwnTapes::reference(std::size_t scene) {
+  const std::lock_guard lock(mutex_);
+  const auto found = reference_.find(scene);
+  if (found != reference_.end()) return found->second;
+  return reference_.emplace(scene, record({solutionFolder_}, references_.scenes.at(scene)))
+      .first->second;
+}
+
+void OwnTapes::learnOwners() {
+  const rubric::SceneFolders& scene = references_.scenes.at(0);
+  const fs::path file =
+      cacheFolder() / "owners" /
+      hashOf(referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
+  if (fs::exists(file)) {
+    for (const json& one : readJson(file))
+      changedBy_[{one.at("role"), one.at("unit")}] =
+          one.at("todos").get<std::map<std::string, std::set<std::string>>>();
+    return;
+  }
+  const tape::Tape& right = reference(0);
+  std::set<std::string> filled;
+  tape::Tape before = record({solutionFolder_, {}, filled}, scene);
+  for (const Part& part : target_.parts)
+    for (const auto& todo : part.todos) {
+      filled.insert(todo.id);
+      tape::Tape after = record({solutionFolder_, {}, filled}, scene);
+      const repair::Comparison step = repair::compare(before, after);
+      const auto inReference = repair::compare(after, right).roles;
+      const auto changed = [&](const Unit& unit, const std::set<std::string>& lines) {
+        if (const auto roles = inReference.find(unit.role); roles != inReference.end())
+          for (const std::string& role : roles->second)
+            changedBy_[{role, unit.name}][todo.id].insert(lines.begin(), lines.end());
+      };
+      for (const repair::Difference& one : step.differences) changed(one.unit, one.lacks);
+      // What the step draws that was not there before is its work, whole.
+      for (const Unit& unit : repair::compare(after, after).compared)
+        if (!step.compared.contains(unit)) changed(unit, {});
+      before = std::move(after);
+    }
+  json kept = json::array();
+  for (const auto& [unit, todos] : changedBy_)
+    kept.push_back({{"role", unit.role}, {"unit", unit.name}, {"todos", todos}});
+  TemporaryFolder work(file.parent_path());
+  report::writeFile(work.path() / "owners", kept.dump());
+  keep(work.path() / "owners", file);
+}
+
+std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
+  const std::lock_guard lock(owners_);
+  if (!learned_) {
+    learnOwners();
+    learned_ = true;
+  }
+  const auto found = changedBy_.find(difference.unit);
+  if (found == changedBy_.end()) return {};
+  std::set<std::string> all, byLine;
+  for (const auto& [todo, lines] : found->second) {
+    all.insert(todo);
+    if (std::ranges::any_of(
+            lines, [&](const std::string& line) { return difference.lacks.contains(line); }))
+      byLine.insert(todo);
+  }
+  return byLine.empty() ? all : byLine;
+}
+
+} // namespace ggrade::grading
