@@ -20,7 +20,9 @@ namespace ggrade::grading {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+using repair::kWidths;
 using repair::Unit;
+using repair::widthOf;
 using results::ProvedCause;
 
 namespace {
@@ -52,16 +54,6 @@ struct Drawn {
   bool changed = false; ///< is anything else than without the patch?
   double distance = 0;  ///< of the last frame to the reference's
 };
-
-/// Units by how much they replace: values and functions, what is drawn into, shaders, all draws.
-constexpr int kWidths = 4;
-
-int widthOf(const std::string& unit) {
-  return unit == "draws"                                  ? 3
-         : unit.starts_with("shader")                     ? 2
-         : unit == "attachments" || unit == "framebuffer" ? 1
-                                                          : 0;
-}
 
 double distance(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
   if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
@@ -234,12 +226,10 @@ private:
 
   /// Does a wider unit replace it anyway, of those that are no wider than `width`?
   static bool isWithinWider(const Unit& unit, const std::vector<Unit>& all, int width) {
-    return std::ranges::any_of(all, [&](const Unit& other) {
-      if (other.role != unit.role || widthOf(other.name) > width || other == unit) return false;
-      const std::string stage = other.name.starts_with("shader ") ? other.name.substr(7) : "";
-      return other.name == "draws" || (!stage.empty() && unit.name.starts_with("function ") &&
-                                       unit.name.ends_with(" in " + stage));
-    });
+    const std::size_t stage = unit.name.rfind(" in ");
+    return width == kWidths - 1 && unit.name.starts_with("function ") &&
+           std::ranges::find(all, Unit{unit.role, "shader " + unit.name.substr(stage + 4)}) !=
+               all.end();
   }
 
   /// Leaves out what a right set doesn't need.

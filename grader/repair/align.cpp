@@ -149,6 +149,9 @@ std::vector<PassPair> align(const json& one, const json& other) {
   const std::vector<Pass> a = passesOf(one), b = passesOf(other);
   std::vector<PassPair> pairs;
   for (const Pass& pass : b) pairs.push_back({pass, {}});
+  std::vector<std::size_t> swaps;
+  for (std::size_t i = 0; i < one.size(); ++i)
+    if (one[i].at("op") == "swap") swaps.push_back(i);
   std::size_t frames = 0;
   for (const auto* passes : {&a, &b})
     for (const Pass& pass : *passes) frames = std::max(frames, pass.frame + 1);
@@ -171,7 +174,12 @@ std::vector<PassPair> align(const json& one, const json& other) {
       // What the first alone draws stands in the pass that it comes before.
       for (; x < endX; ++x)
         pairs[passOf[std::min(endY, to.size() - 1)]].commands.push_back({from[x], {}});
-      for (; y < endY; ++y) pairs[passOf[y]].commands.push_back({{}, to[y]});
+      std::optional<std::size_t> before;
+      if (x < from.size())
+        before = from[x];
+      else if (frame < swaps.size())
+        before = swaps[frame];
+      for (; y < endY; ++y) pairs[passOf[y]].commands.push_back({{}, to[y], before});
     };
     for (const auto& [p, q] : common(from.size(), to.size(), [&](std::size_t p, std::size_t q) {
            return likeness(drawn[p], wanted[q]);
@@ -182,10 +190,6 @@ std::vector<PassPair> align(const json& one, const json& other) {
     }
     alone(from.size(), to.size());
   }
-  std::erase_if(pairs, [](const PassPair& pair) {
-    return std::ranges::none_of(pair.commands,
-                                [](const CommandPair& both) { return both.one && both.other; });
-  });
   return pairs;
 }
 

@@ -28,6 +28,9 @@ std::string roleOf(const std::vector<std::vector<std::byte>>& blobs, const nlohm
 
 struct CommandPair {
   std::optional<std::size_t> one, other; ///< indices; nothing: the other tape alone has it
+  /// Where the other alone has it: the first's command (or swap) that it would come before;
+  /// nothing: its frames end earlier.
+  std::optional<std::size_t> before = {};
 };
 
 /// A pass of the other tape, with what does the same in the first: what is drawn tells, wherever it
@@ -37,8 +40,8 @@ struct PassPair {
   std::vector<CommandPair> commands; ///< in the order in which they come
 };
 
-/// All passes of the other tape of which the first has something, in order. Throws
-/// std::runtime_error for frames of more than some thousand draws.
+/// All passes of the other tape, in order. Throws std::runtime_error for frames of more than some
+/// thousand draws.
 std::vector<PassPair> align(const nlohmann::json& one, const nlohmann::json& other);
 
 } // namespace ggrade::repair

@@ -3,6 +3,8 @@
 #include "repair/align.hpp"
 #include "repair/glsl.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <iterator>
@@ -68,6 +70,8 @@ public:
       else
         rest.push_back(own[i]);
     commands.insert(commands.end(), rest.begin(), rest.end());
+    for (json& command : commands)
+      if (command.at("op") != "image") command["before"] = json::object();
   }
 
   Comparison run() {
@@ -79,6 +83,7 @@ public:
       for (const std::size_t command : pass.commands) passOf[command] = &pass;
     for (const PassPair& pair : pairs_) {
       role_ = roleOf(result_.tape.blobs, reference_, pair.other);
+      order_.try_emplace(role_, pair.other.ordinal);
       first_ = std::nullopt;
       for (const CommandPair& both : pair.commands) {
         if (!both.one || !both.other) continue;
@@ -90,13 +95,8 @@ public:
     }
     for (auto& [unit, difference] : found_)
       if (!difference.patch.empty()) result_.differences.push_back(std::move(difference));
-    std::ranges::stable_sort(result_.differences, {}, [](const Difference& one) {
-      const std::string& name = one.unit.name;
-      const int width = name.starts_with("shader")                       ? 2
-                        : name == "draws"                                ? 3
-                        : name == "attachments" || name == "framebuffer" ? 1
-                                                                         : 0;
-      return std::pair(width, *one.passes.begin());
+    std::ranges::stable_sort(result_.differences, {}, [this](const Difference& one) {
+      return std::pair(widthOf(one.unit.name), order_.at(one.unit.role));
     });
     return std::move(result_);
   }
@@ -175,7 +175,7 @@ private:
     if (at && *at == value) return;
     Difference& difference = found_[{role_, unit}];
     difference.unit = {role_, unit};
-    difference.passes.insert(*first_);
+    if (first_) difference.passes.insert(*first_);
     difference.patch.push_back({{"op", at ? "replace" : "add"}, {"path", path}, {"value", value}});
   }
 
@@ -299,31 +299,32 @@ private:
   }
 
   void comparePass(const PassPair& pair) {
-    json group = json::array(); // everything that the reference draws in this pass
-    bool differs = false;
+    bool onlyClears = true; // of what one of the two has alone
     for (const CommandPair& both : pair.commands) {
-      if (both.other) group.push_back(reference_[*both.other]);
+      const json& command = both.other ? reference_[*both.other] : result_.tape.commands[*both.one];
       if (!both.one || !both.other) {
-        differs = true;
+        onlyClears = onlyClears && command.at("op") == "clear";
         continue;
       }
-      const json& theirs = reference_[*both.other];
       const std::size_t i = *both.one;
-      if (theirs.contains("target")) compareTarget(i, theirs);
-      if (theirs.contains("state") && theirs["state"].contains("viewport")) compareState(i, theirs);
-      if (theirs.at("op") == "draw")
-        compareDraw(i, theirs);
+      if (command.contains("target")) compareTarget(i, command);
+      if (command.contains("state") && command["state"].contains("viewport"))
+        compareState(i, command);
+      if (command.at("op") == "draw")
+        compareDraw(i, command);
       else
-        compareClear(i, theirs);
+        compareClear(i, command);
     }
-    result_.compared.insert({role_, "draws"});
-    if (!differs) return;
-    bool isFirst = true;
+    if (first_)
+      for (const char* unit : {"draws", "clear"}) result_.compared.insert({role_, unit});
     for (const CommandPair& both : pair.commands) {
-      if (!both.one) continue;
-      patch("draws", pointer({std::to_string(*both.one)}),
-            {{"op", "group"}, {"commands", isFirst ? group : json::array()}});
-      isFirst = false;
+      const std::string unit = onlyClears ? "clear" : "draws";
+      if (!both.one && both.before)
+        patch(unit,
+              pointer({std::to_string(*both.before), "before", fmt::format("{:06}", *both.other)}),
+              reference_[*both.other]);
+      else if (!both.other)
+        patch(unit, pointer({std::to_string(*both.one), "skip"}), true);
     }
   }
 
@@ -334,11 +335,17 @@ private:
   std::string role_;                 ///< of the pass that is being compared
   std::optional<std::size_t> first_; ///< its ordinal in the submission
   std::map<Unit, Difference> found_;
+  std::map<std::string, std::size_t> order_; ///< of roles, by their first pass
   std::map<std::string, std::uint64_t> made_;
   std::set<std::pair<std::string, json>> images_; ///< of roles, that were compared
 };
 
 } // namespace
+
+int widthOf(const std::string& unit) {
+  if (unit.starts_with("shader ")) return 2;
+  return unit == "attachments" || unit == "framebuffer" || unit == "draws" ? 1 : 0;
+}
 
 Comparison compare(const tape::Tape& submission, const tape::Tape& reference) {
   return Comparing(submission, reference).run();

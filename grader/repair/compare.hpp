@@ -35,6 +35,11 @@ struct Comparison {
   std::map<std::string, std::set<std::string>> roles;
 };
 
+/// Units by how much they replace, from 0 on: values and functions; what is drawn, and into what;
+/// shaders.
+inline constexpr int kWidths = 3;
+int widthOf(const std::string& unit);
+
 /// Throws nlohmann::json::exception for a tape that isn't made as tapes are.
 Comparison compare(const tape::Tape& submission, const tape::Tape& reference);
 

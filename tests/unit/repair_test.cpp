@@ -22,7 +22,8 @@ namespace {
 std::vector<std::string> names(const Comparison& comparison) {
   std::vector<std::string> all;
   for (const Difference& one : comparison.differences)
-    all.push_back(std::to_string(*one.passes.begin()) + ' ' + one.unit.name);
+    all.push_back((one.passes.empty() ? "-" : std::to_string(*one.passes.begin())) + ' ' +
+                  one.unit.name);
   return all;
 }
 
@@ -85,8 +86,40 @@ TEST(Repair, ADrawThatLacksIsPutBackAsAWhole) {
   const Comparison comparison = compare(submission, reference());
   ASSERT_THAT(names(comparison), ElementsAre("1 draws"));
   const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
-  EXPECT_EQ(patched[5]["op"], "group");
-  EXPECT_EQ(patched[5]["commands"].size(), 3U);
+  EXPECT_EQ(patched[7]["op"], "swap");
+  ASSERT_EQ(patched[7]["before"].size(), 1U);
+  EXPECT_EQ(patched[7]["before"]["000006"]["op"], "draw");
+}
+
+TEST(Repair, ADrawTooManyIsSkipped) {
+  tape::Tape submission = reference();
+  submission.commands.insert(submission.commands.begin() + 4, draw(texture(0), 8, 2));
+  const Comparison comparison = compare(submission, reference());
+  ASSERT_THAT(names(comparison), ElementsAre("1 draws"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
+  EXPECT_EQ(patched[5]["skip"], true);
+  EXPECT_FALSE(patched[6].contains("skip"));
+}
+
+TEST(Repair, AClearThatLacksIsPutBeforeTheDraw) {
+  tape::Tape submission = reference();
+  submission.commands.erase(2);
+  const Comparison comparison = compare(submission, reference());
+  ASSERT_THAT(names(comparison), ElementsAre("0 clear"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
+  EXPECT_EQ(patched[3]["before"]["000002"]["op"], "clear");
+}
+
+TEST(Repair, PassesOfOneRoleAreRepairedTogether) {
+  tape::Tape right = reference();
+  right.commands.insert(right.commands.begin() + 4,
+                        {image(1, 32856), clear(texture(1), 8), draw(texture(1), 8, 1)});
+  tape::Tape submission = right;
+  for (const std::size_t i : {3U, 6U}) submission.commands[i]["state"]["depthTest"] = false;
+  const Comparison comparison = compare(submission, right);
+  ASSERT_THAT(names(comparison), ElementsAre("0 depth"));
+  EXPECT_THAT(comparison.differences[0].passes, ElementsAre(0U, 1U));
+  EXPECT_EQ(comparison.differences[0].patch.size(), 2U);
 }
 
 TEST(Repair, AClearThatLacksAMaskIsThatBuffersFault) {
@@ -123,12 +156,15 @@ TEST(Repair, APassInTheWrongPlaceIsTheRightPass) {
   EXPECT_EQ(patched[4]["target"], texture(0));
 }
 
-TEST(Repair, PassesThatLackAreLeftOut) {
+TEST(Repair, APassThatLacksIsPutBeforeTheNext) {
   tape::Tape submission = reference();
   for (int i = 0; i < 3; ++i) submission.commands.erase(1);
   const Comparison comparison = compare(submission, reference());
-  EXPECT_THAT(names(comparison), IsEmpty());
-  EXPECT_THAT(comparison.passes, ElementsAre(testing::Pair(0, 1)));
+  EXPECT_THAT(names(comparison), ElementsAre("- draws"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
+  EXPECT_EQ(patched[2]["before"].size(), 2U);
+  EXPECT_EQ(patched[2]["before"]["000003"]["op"], "draw");
+  EXPECT_THAT(comparison.roles, testing::SizeIs(1));
 }
 
 TEST(Repair, WhatIsNoTapeIsAnError) {

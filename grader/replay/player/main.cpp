@@ -38,36 +38,44 @@ public:
   void play(const json& commands, int frames) {
     for (const json& command : commands) {
       if (frames == 0) return;
+      if (command.contains("before"))
+        for (const json& other : command["before"]) playOne(other);
+      if (command.contains("skip")) continue;
       const std::string op = command.at("op");
       if (op == "swap") {
         glfwSwapBuffers(window_);
         glfwPollEvents();
         --frames;
-      } else if (op == "group") {
-        play(command.at("commands"), -1);
-      } else if (op == "image") {
-        images_.define(command);
-      } else if (op == "draw") {
-        draw(command);
-      } else if (op == "clear") {
-        clear(command);
-      } else if (op == "clearBuffer") {
-        clearBuffer(command);
-      } else if (op == "blit") {
-        blit(command);
-      } else if (op == "copy") {
-        copy(command);
-      } else if (op == "copyImage") {
-        copyImage(command);
-      } else if (op == "mipmap") {
-        mipmap(command);
-      } else if (op != "context") {
-        throw std::runtime_error("a command of an unknown kind: " + op);
+      } else {
+        playOne(command);
       }
     }
   }
 
 private:
+  void playOne(const json& command) {
+    const std::string op = command.at("op");
+    if (op == "image") {
+      images_.define(command);
+    } else if (op == "draw") {
+      draw(command);
+    } else if (op == "clear") {
+      clear(command);
+    } else if (op == "clearBuffer") {
+      clearBuffer(command);
+    } else if (op == "blit") {
+      blit(command);
+    } else if (op == "copy") {
+      copy(command);
+    } else if (op == "copyImage") {
+      copyImage(command);
+    } else if (op == "mipmap") {
+      mipmap(command);
+    } else if (op != "context") {
+      throw std::runtime_error("a command of an unknown kind: " + op);
+    }
+  }
+
   void prepare(const json& command) {
     framebuffers_.bindDraw(command.at("target"));
     applyState(command.at("state"));
