@@ -105,20 +105,57 @@ Diagnosis inWords(const Cause& cause, const Graded& graded, const Part& part,
   return words;
 }
 
-/// What was proved is surer than a change of the picture, and stands beside a mistake that is
-/// known.
-void addProved(const results::Result& result, const Part& part, const Cause& cause,
-               Diagnosis& words) {
-  const std::string proved = diagnosis::sentenceOf(result.causes);
-  if (!cause.id.empty() && !cause.generic && !cause.id.starts_with("step.")) {
-    words.beside.push_back(proved);
-    return;
+/// The proved causes that are a part's work, or nobody's.
+std::vector<results::ProvedCause> causesIn(const Part& part, const results::Result& result) {
+  std::vector<results::ProvedCause> causes;
+  std::ranges::copy_if(result.causes, std::back_inserter(causes), [&](const auto& cause) {
+    return cause.todos.empty() || std::ranges::any_of(cause.todos, [&](const std::string& todo) {
+             return todo.starts_with(part.id + '.');
+           });
+  });
+  return causes;
+}
+
+/// Are all causes the work of steps that the program up to this one hasn't got?
+bool areLater(const std::vector<results::ProvedCause>& causes, const std::string& step,
+              const Part& part) {
+  const std::size_t done = std::stoul(step.substr(5));
+  return std::ranges::all_of(causes, [&](const results::ProvedCause& cause) {
+    return !cause.todos.empty() &&
+           std::none_of(part.todos.begin(), part.todos.begin() + std::ptrdiff_t(done),
+                        [&](const auto& todo) { return cause.todos.contains(todo.id); });
+  });
+}
+
+/// What was proved is surer than what the picture resembles. A mistake of the catalogue is named
+/// where it changes what was proved, too.
+Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes,
+                    const Graded& graded, const Part& part, const Catalogue& catalogue,
+                    const Agrees& agrees) {
+  const auto isProved = [&](const std::string& id) {
+    const Mistake* mistake = catalogue.mistake(id);
+    return mistake && agrees(*mistake, causes);
+  };
+  if (cause.id.starts_with("step.") && areLater(causes, cause.id, part))
+    return inWords(cause, graded, part, catalogue);
+  if (!cause.generic && !isProved(cause.id)) {
+    const auto other = std::ranges::find_if(cause.alike, isProved);
+    if (other != cause.alike.end()) std::swap(cause.id, *other);
   }
+  Diagnosis words;
+  if (!cause.generic && isProved(cause.id)) {
+    std::erase_if(cause.alike, [&](const std::string& name) { return !isProved(name); });
+    words = inWords(cause, graded, part, catalogue);
+    words.beside.push_back(diagnosis::sentenceOf(causes));
+    return words;
+  }
+  words.part = part.id;
+  if (cause.first) describePlace(*cause.first, graded, words);
   words.id = "proved";
   words.confidence = 1;
-  words.text = proved;
-  if (result.causes[0].todos.size() == 1)
-    words.step = stepHeading(part, *result.causes[0].todos.begin());
+  words.text = diagnosis::sentenceOf(causes);
+  if (causes[0].todos.size() == 1) words.step = stepHeading(part, *causes[0].todos.begin());
+  return words;
 }
 
 } // namespace
@@ -138,7 +175,8 @@ Shown shown(std::vector<std::filesystem::path> folders) {
 }
 
 std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
-                                   const std::function<Diagnoser&(const Part&)>& diagnoserOf) {
+                                   const std::function<Diagnoser&(const Part&)>& diagnoserOf,
+                                   const Agrees& agrees) {
   const results::Result& result = graded.result;
   const auto observed = diagnosis::outcomeDiagnosis(result, graded.facts);
   if (!report::scored(result.outcome))
@@ -155,15 +193,18 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
       all.back().step = stepOfWorst(result, part);
       continue;
     }
+    const std::vector<results::ProvedCause> causes = causesIn(part, result);
+    if (!result.causes.empty() && causes.empty()) continue; // another part's fault was seen here
     Diagnoser& diagnoser = diagnoserOf(part);
     const Cause cause = diagnoser.causeOf(lost, shown(graded.students()));
-    Diagnosis words = inWords(cause, graded, part, diagnoser.catalogue());
-    if (cause.id.empty() && observed) {
+    Diagnosis words = causes.empty()
+                          ? inWords(cause, graded, part, diagnoser.catalogue())
+                          : withProof(cause, causes, graded, part, diagnoser.catalogue(), agrees);
+    if (words.id.empty() && observed) {
       words.id = observed->id;
       words.text = observed->text;
       words.confidence = observed->confidence;
     }
-    if (!result.causes.empty()) addProved(result, part, cause, words);
     const auto beside =
         observed ? observed->beside : diagnosis::tellingWarnings(result.compilerOutput);
     words.beside.insert(words.beside.end(), beside.begin(), beside.end());

@@ -12,10 +12,14 @@ std::vector<std::string> lostItems(const std::vector<results::Item>& items, cons
 /// What lies in a submission's folders of frames and passes, by scene.
 Shown shown(std::vector<std::filesystem::path> folders);
 
+/// Does a mistake of the catalogue change one of these things, too?
+using Agrees =
+    std::function<bool(const Mistake& mistake, const std::vector<results::ProvedCause>& causes)>;
+
 /// At most one diagnosis a part that lost points, and none where nothing was lost; one for all
 /// where the outcome says it. Throws UsageError for a fault in the catalogue, and Interrupted.
 std::vector<results::Diagnosis>
 diagnosesOf(const Target& target, const Graded& graded,
-            const std::function<Diagnoser&(const Part&)>& diagnoserOf);
+            const std::function<Diagnoser&(const Part&)>& diagnoserOf, const Agrees& agrees);
 
 } // namespace ggrade::grading

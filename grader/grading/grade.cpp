@@ -482,14 +482,21 @@ void Grader::diagnose(Graded& graded) {
   const Stopwatch time(result, "diagnose");
   const std::lock_guard lock(diagnosing_);
   try {
-    result.diagnoses = diagnosesOf(target_, graded, [&](const Part& part) -> Diagnoser& {
+    const Agrees agrees = [&](const Mistake& mistake, const auto& causes) {
+      const std::set<repair::Unit> units = tapes_->unitsOf(mistake.patch);
+      return std::ranges::any_of(causes, [&](const results::ProvedCause& cause) {
+        return units.contains({cause.role, cause.unit});
+      });
+    };
+    const auto diagnoserOf = [&](const Part& part) -> Diagnoser& {
       const auto known = diagnosers_.find(part.id);
       if (known != diagnosers_.end()) return known->second;
       return diagnosers_
           .try_emplace(part.id, target_, part, solutionFolder_, references(), options_.progress,
                        options_.suspects)
           .first->second;
-    });
+    };
+    result.diagnoses = diagnosesOf(target_, graded, diagnoserOf, agrees);
   } catch (const UsageError&) {
     // The catalogue is the instructor's; its faults cost nobody a grade.
     results::Diagnosis none;

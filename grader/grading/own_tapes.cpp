@@ -14,6 +14,14 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using repair::Unit;
 
+namespace {
+
+struct NoTape : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+} // namespace
+
 OwnTapes::OwnTapes(const Target& target, fs::path solutionFolder, const References& references)
     : target_(target), solutionFolder_(std::move(solutionFolder)), references_(references) {}
 
@@ -27,8 +35,8 @@ tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& sc
     const Rendering taped =
         program.render(scene.scene, scene.times, references_.ownShaders, request);
     if (!taped.happened.ok() || !taped.capture.tapeRefused.empty())
-      throw std::runtime_error("our own program has no tape: " + taped.happened.detail +
-                               taped.capture.tapeRefused);
+      throw NoTape("our own program has no tape: " + taped.happened.detail +
+                   taped.capture.tapeRefused);
     TemporaryFolder work(file.parent_path());
     const auto& bytes = taped.capture.tape;
     report::writeFile(work.path() / "tape",
@@ -84,6 +92,17 @@ void OwnTapes::learnOwners() {
   TemporaryFolder work(file.parent_path());
   report::writeFile(work.path() / "owners", kept.dump());
   keep(work.path() / "owners", file);
+}
+
+std::set<Unit> OwnTapes::unitsOf(const fs::path& patch) {
+  std::set<Unit> units;
+  try {
+    const tape::Tape tape = record({solutionFolder_, {patch}}, references_.scenes.at(0));
+    for (const repair::Difference& one : repair::compare(tape, reference(0)).differences)
+      units.insert(one.unit);
+  } catch (const NoTape&) {
+  }
+  return units;
 }
 
 std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {

@@ -26,6 +26,10 @@ public:
   /// start.
   std::set<std::string> ownersOf(const repair::Difference& difference);
 
+  /// What the solution with this patch differs in from the solution, in the first scene. Empty, if
+  /// that program has no tape.
+  std::set<repair::Unit> unitsOf(const std::filesystem::path& patch);
+
 private:
   tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene);
   void learnOwners();

@@ -275,7 +275,7 @@ private:
       });
       const repair::Difference& one =
           *std::ranges::find(in->differences, unit, &repair::Difference::unit);
-      causes.push_back({one.passes, unit.name, own_.ownersOf(one)});
+      causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one)});
     }
     return causes;
   }

@@ -136,6 +136,7 @@ struct Diagnosis {
 /// What was wrong, proved by drawing it again with the reference's in its place.
 struct ProvedCause {
   std::set<std::size_t> passes; ///< of the submission, counted within a frame from 0
+  std::string role;             ///< of these passes, see repair::Unit
   std::string unit;             ///< "viewport", "uniform uLight", "function visibility in fragment"
   std::set<std::string> todos;  ///< whose work it is; none: it was right before, and was spoiled
 };

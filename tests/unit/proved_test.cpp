@@ -11,29 +11,31 @@ using diagnosis::sentenceOf;
 namespace {
 
 TEST(Proved, UnitsInWords) {
-  EXPECT_EQ(nameOf({{0}, "viewport", {}}), "the viewport");
-  EXPECT_EQ(nameOf({{0}, "uniform uView", {}}), "the uniform uView");
-  EXPECT_EQ(nameOf({{0}, "function visibility in fragment", {}}),
+  EXPECT_EQ(nameOf({{0}, "", "viewport", {}}), "the viewport");
+  EXPECT_EQ(nameOf({{0}, "", "uniform uView", {}}), "the uniform uView");
+  EXPECT_EQ(nameOf({{0}, "", "function visibility in fragment", {}}),
             "visibility() in the fragment shader");
-  EXPECT_EQ(nameOf({{0}, "clipDistance0", {}}), "the clipping");
-  EXPECT_EQ(nameOf({{0}, "lineWidth", {}}), "OpenGL's state lineWidth");
+  EXPECT_EQ(nameOf({{0}, "", "clipDistance0", {}}), "the clipping");
+  EXPECT_EQ(nameOf({{0}, "", "lineWidth", {}}), "OpenGL's state lineWidth");
 }
 
 TEST(Proved, SaysWhereAndWhatWasSpoiled) {
-  EXPECT_EQ(sentenceOf({{{0}, "clear", {"mirror.2"}}}),
+  EXPECT_EQ(sentenceOf({{{0}, "", "clear", {"mirror.2"}}}),
             "Proved by drawing it again: with other values in this place of pass 1, all is right: "
             "what is cleared, and to what.");
-  EXPECT_EQ(sentenceOf({{{1}, "viewport", {}}}),
+  EXPECT_EQ(sentenceOf({{{1}, "", "viewport", {}}}),
             "Proved by drawing it again: with other values in this place of pass 2, all is right: "
             "the viewport. The handed-out program has it right: a call of yours changes it, and "
             "doesn't put it back.");
-  EXPECT_EQ(sentenceOf({{{0}, "clear", {"a.1"}}, {{1}, "depth", {"a.2"}}, {{1}, "blend", {"a.2"}}}),
-            "Proved by drawing it again: with other values in this place, all is right: what is "
-            "cleared, and to what, the depth test and the blending.");
+  EXPECT_EQ(
+      sentenceOf(
+          {{{0}, "", "clear", {"a.1"}}, {{1}, "", "depth", {"a.2"}}, {{1}, "", "blend", {"a.2"}}}),
+      "Proved by drawing it again: with other values in this place, all is right: what is "
+      "cleared, and to what, the depth test and the blending.");
 }
 
 TEST(Proved, PassesOfOneRoleAreNamedTogether) {
-  EXPECT_EQ(sentenceOf({{{4, 5, 6}, "blend", {"bloom.5"}}}),
+  EXPECT_EQ(sentenceOf({{{4, 5, 6}, "", "blend", {"bloom.5"}}}),
             "Proved by drawing it again: with other values in this place of the passes 5, 6, 7, "
             "all is right: the blending.");
 }
