@@ -109,6 +109,49 @@ TEST(Trace, FilesHoldEverything) {
   EXPECT_THAT(std::vector<float>(first.begin(), first.end()), ElementsAre(0.5F, 1, 2, 1));
 }
 
+TEST(Trace, FramesOfARunAreARunOfTheirOwn) {
+  const Trace one = mirror();
+  Trace twice = mirror();
+  twice.frames.push_back(one.frames[0]);
+  twice.frames[1].firstPass = 2;
+  for (PassRecord pass : one.passes) {
+    pass.frame = 1;
+    pass.firstStep += std::uint32_t(one.steps.size());
+    twice.passes.push_back(pass);
+  }
+  for (StepRecord step : one.steps) {
+    step.pass += 2;
+    step.firstMatrix += std::uint32_t(one.matrices.size());
+    step.firstSample += std::uint32_t(one.samples.size());
+    twice.steps.push_back(step);
+  }
+  twice.matrices.insert(twice.matrices.end(), one.matrices.begin(), one.matrices.end());
+  for (SampleRecord sample : one.samples) {
+    if (sample.writer != kNone) sample.writer += 2;
+    twice.samples.push_back(sample);
+  }
+  for (CopyRecord copy : one.copies) {
+    copy.pass += 2;
+    copy.offset += one.pixels.size();
+    twice.copies.push_back(copy);
+  }
+  twice.pixels.insert(twice.pixels.end(), one.pixels.begin(), one.pixels.end());
+  for (const std::size_t frame : {0, 1}) {
+    const Trace part = framesOf(twice, frame, 1);
+    EXPECT_EQ(toJson(part), toJson(one)) << frame;
+    EXPECT_EQ(part.pixels, one.pixels);
+    const TemporaryFolder folder;
+    save(part, folder.path());
+    EXPECT_EQ(toJson(load(folder.path())), toJson(one)) << frame;
+  }
+  const Trace both = framesOf(twice, 0, 2);
+  EXPECT_EQ(both.passes.size(), 4U);
+  EXPECT_EQ(both.copies.size(), one.copies.size()) << "those of its first frame";
+  // The texture that was drawn in the frame before has no writer in this one.
+  twice.samples.back().writer = 0;
+  EXPECT_EQ(framesOf(twice, 1, 1).samples.back().writer, kNone);
+}
+
 TEST(Trace, NothingRecordedIsNoFault) {
   const TemporaryFolder folder;
   EXPECT_TRUE(load(folder.path()).passes.empty());
