@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <span>
 
 namespace ggrade::grading {
@@ -67,23 +68,36 @@ void OwnTapes::learnOwners() {
     return;
   }
   const tape::Tape& right = reference(0);
+  std::set<std::string> all, wanted;
+  for (const Part& part : target_.assignment.parts)
+    for (const auto& todo : part.todos) all.insert(todo.id);
+  for (const Part& part : target_.parts)
+    for (const auto& todo : part.todos) wanted.insert(todo.id);
+  // Without one TODO alone: what then differs is its work.
+  for (const std::string& todo : wanted) {
+    std::set<std::string> others = all;
+    others.erase(todo);
+    try {
+      const tape::Tape tape = record({solutionFolder_, {}, others}, scene);
+      for (const repair::Difference& one : repair::compare(tape, right).differences)
+        if (!one.passes.empty())
+          changedBy_[one.unit][todo].insert(one.lacks.begin(), one.lacks.end());
+    } catch (const NoTape&) {
+    }
+  }
+  // What can't be without a TODO, because its whole pass isn't drawn, is the work of the step with
+  // which it comes.
+  const auto known = changedBy_;
   std::set<std::string> filled;
-  tape::Tape before = record({solutionFolder_, {}, filled}, scene);
+  std::ranges::set_difference(all, wanted, std::inserter(filled, filled.end()));
+  repair::Comparison before = repair::compare(record({solutionFolder_, {}, filled}, scene), right);
   for (const Part& part : target_.parts)
     for (const auto& todo : part.todos) {
       filled.insert(todo.id);
-      tape::Tape after = record({solutionFolder_, {}, filled}, scene);
-      const repair::Comparison step = repair::compare(before, after);
-      const auto inReference = repair::compare(after, right).roles;
-      const auto changed = [&](const Unit& unit, const std::set<std::string>& lines) {
-        if (const auto roles = inReference.find(unit.role); roles != inReference.end())
-          for (const std::string& role : roles->second)
-            changedBy_[{role, unit.name}][todo.id].insert(lines.begin(), lines.end());
-      };
-      for (const repair::Difference& one : step.differences) changed(one.unit, one.lacks);
-      // What the step draws that was not there before is its work, whole.
-      for (const Unit& unit : repair::compare(after, after).compared)
-        if (!step.compared.contains(unit)) changed(unit, {});
+      repair::Comparison after =
+          repair::compare(record({solutionFolder_, {}, filled}, scene), right);
+      for (const Unit& unit : after.compared)
+        if (!before.compared.contains(unit) && !known.contains(unit)) changedBy_[unit][todo.id];
       before = std::move(after);
     }
   json kept = json::array();

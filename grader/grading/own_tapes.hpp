@@ -21,9 +21,9 @@ public:
   /// The reference's, in a scene of the plan.
   const tape::Tape& reference(std::size_t scene);
 
-  /// The TODOs whose work it is: the steps of the handout that change this unit (of a function:
-  /// that write a line of those that it lacks). None: no step changes it, it is right from the
-  /// start.
+  /// The TODOs whose work it is: those without which the solution alone has another unit (of a
+  /// function: one that lacks a line that this one lacks, too), or the step of the handout with
+  /// which it comes. None: it is there and right from the start.
   std::set<std::string> ownersOf(const repair::Difference& difference);
 
   /// What the solution with this patch differs in from the solution, in the first scene. Empty, if
@@ -39,7 +39,7 @@ private:
   const References& references_;
   std::mutex mutex_, owners_;
   std::map<std::size_t, tape::Tape> reference_;
-  /// TODOs, each with the lines that it adds to a function.
+  /// TODOs, each with the lines that a function lacks without it.
   std::map<repair::Unit, std::map<std::string, std::set<std::string>>> changedBy_;
   bool learned_ = false;
 };

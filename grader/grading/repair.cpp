@@ -33,6 +33,8 @@ constexpr double kRightPoints = 0.5;
 /// A submission that takes more is another program, not a fault.
 constexpr std::size_t kMostCauses = 6;
 constexpr std::size_t kMostTried = 40; ///< differences of one submission
+/// An item that lost no more of its points is as good as whole.
+constexpr double kFreeShare = 0.05;
 /// What was right before and was spoiled costs so many points at most once that is proved.
 constexpr double kSpoiledPoints = 10;
 
@@ -285,11 +287,12 @@ private:
   bool settle(std::vector<Unit>& found) {
     const std::vector<ProvedCause> causes = causesOf(found);
     std::map<std::vector<Unit>, std::vector<std::string>> byRepaired; // what is repaired: for whom
-    for (const std::string& id : lossy_) {
+    for (const results::Item& item : items_) {
+      if (report::lost(item) <= 0) continue;
       std::vector<Unit> repaired;
       for (std::size_t i = 0; i < causes.size(); ++i)
-        if (!isWorkOf(causes[i], declared_.at(id))) repaired.push_back(found[i]);
-      if (!repaired.empty()) byRepaired[repaired].push_back(id);
+        if (!isWorkOf(causes[i], declared_.at(item.id))) repaired.push_back(found[i]);
+      if (!repaired.empty()) byRepaired[repaired].push_back(item.id);
     }
     std::vector<std::vector<Unit>> variants = {found};
     for (const auto& [repaired, ids] : byRepaired) variants.push_back(repaired);
@@ -310,7 +313,7 @@ private:
     for (std::size_t k = 1; k < variants.size(); ++k)
       for (const results::Item& again : judged(k, byRepaired[variants[k]]))
         keepBetter(again, causes);
-    chargeOnce(before);
+    chargeOnce(before, causes);
     double spoiled = 0;
     for (const results::Item& item : items_)
       if (item.kind == results::ItemKind::keep) spoiled -= item.earned;
@@ -321,15 +324,27 @@ private:
   }
 
   /// A fault is never free: where none of those whose work it is lost anything, the item that lost
-  /// the largest share keeps its loss.
-  void chargeOnce(const std::vector<results::Item>& before) {
-    const auto share = [](const results::Item& item) {
-      return item.kind == results::ItemKind::bonus ? 0 : report::lost(item) / item.points;
+  /// most loses it, but no more than the work is worth.
+  void chargeOnce(const std::vector<results::Item>& before,
+                  const std::vector<ProvedCause>& causes) {
+    const auto lost = [](const results::Item& item) {
+      return item.kind == results::ItemKind::bonus ? 0 : report::lost(item);
     };
-    if (std::ranges::any_of(items_, [&](const results::Item& item) { return share(item) > 0.05; }))
+    if (std::ranges::any_of(items_, [&](const results::Item& item) {
+          return lost(item) > kFreeShare * item.points;
+        }))
       return;
-    const auto worst = std::ranges::max_element(before, {}, share);
-    items_[std::size_t(worst - before.begin())] = *worst;
+    double worth = 0;
+    for (const auto& [id, item] : declared_)
+      if (item.kind == results::ItemKind::gain &&
+          std::ranges::any_of(causes,
+                              [&](const ProvedCause& cause) { return isWorkOf(cause, item); }))
+        worth += item.points;
+    if (worth == 0) worth = kSpoiledPoints;
+    const auto worst = std::ranges::max_element(before, {}, lost);
+    results::Item& charged = items_[std::size_t(worst - before.begin())];
+    charged = *worst;
+    if (const double all = lost(*worst); all > worth) charged.earned += all - worth;
   }
 
   /// Items say what their work is; else it is the step's that they stand for. What was right from
@@ -382,7 +397,7 @@ private:
   std::vector<results::Item>& items_;
   const unsigned threads_;
   std::map<std::string, ItemDeclaration> declared_;
-  std::vector<std::string> lossy_; ///< items that lost points
+  std::vector<std::string> lossy_; ///< items that lost points, but the bonus
   std::vector<TapedScene> scenes_; ///< the worst one first
   TemporaryFolder work_;
   std::atomic<int> folders_ = 0;

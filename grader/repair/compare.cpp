@@ -168,7 +168,7 @@ private:
   }
 
   void patch(const std::string& unit, const std::string& path, const json& value) {
-    result_.compared.insert({role_, unit});
+    if (first_) result_.compared.insert({role_, unit});
     const json* at = nullptr;
     const json::json_pointer where(path);
     if (result_.tape.commands.contains(where)) at = &result_.tape.commands.at(where);
@@ -195,6 +195,7 @@ private:
   void compareTarget(std::size_t i, const json& theirs) {
     const bool isWindow = result_.tape.commands[i].at("target").contains("window");
     const bool isSame = isWindow == theirs.at("target").contains("window");
+    for (const char* unit : {"attachments", "framebuffer"}) result_.compared.insert({role_, unit});
     patch(isSame ? "attachments" : "framebuffer", pointer({std::to_string(i), "target"}),
           theirs["target"]);
     if (theirs["target"].contains("window")) return;
