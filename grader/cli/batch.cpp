@@ -202,6 +202,7 @@ void addWorker(CLI::App& app) {
   command->add_option("--reveal", options->reveal);
   command->add_option("--sandbox", options->sandbox);
   command->add_flag("--no-diagnosis", options->noDiagnosis);
+  declareRepair(*command);
   command->callback([options, seed] {
     const Target target = findTarget(assignmentsFolder(), options->id);
     batch::WorkerOptions how = options->how;

@@ -84,6 +84,7 @@ void declare(CLI::App& app, BatchCommand& command) {
   declareContext(app);
   app.add_flag("--no-diagnosis", command.noDiagnosis,
                "Don't look for the likeliest cause of lost points");
+  declareRepair(app);
   declareBooks(app, command.books);
   app.add_flag("--json", command.json, "Print JSON on stdout");
   app.footer(

@@ -426,7 +426,7 @@ void addCalibrate(CLI::App& app) {
       ->check(notAWholeNumber)
       ->needs(generated)
       ->capture_default_str();
-  command->add_flag("--repair", grading::repairs(), "As grade --repair: each fault counts once");
+  declareRepair(*command);
   command->add_flag("--json", options->json,
                     "Print calibration.json (trade.json, generated.json) on stdout");
   auto* adopted = command->add_option("--adopt", options->adopt,

@@ -28,6 +28,8 @@ solutionFolder(const std::string& assignment); ///< throws UsageError if there i
 std::vector<std::string> requireSandbox();
 /// `--context`: what programs are drawn with. Only who measures or looks may take a graphics card.
 void declareContext(CLI::App& app, bool measures = false);
+/// Declares `--repair`, see grading::repairs.
+void declareRepair(CLI::App& app);
 /// "bwrap" (see requireSandbox) or "none": what `--sandbox` says for everything that is run from
 /// now on.
 std::vector<std::string> chooseSandbox(const std::string& word);

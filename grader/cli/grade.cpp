@@ -80,6 +80,13 @@ void grade(const GradeOptions& options) {
 
 } // namespace
 
+void declareRepair(CLI::App& app) {
+  app.add_flag("--repair", grading::repairs(),
+               "Find out what was wrong by drawing a submission again with one thing of the "
+               "reference's after the other, and count each fault once (some seconds more for who "
+               "lost points)");
+}
+
 void addGrade(CLI::App& app) {
   auto* command = app.add_subcommand("grade", "Grades one submission");
   auto options = std::make_shared<GradeOptions>();
@@ -104,10 +111,7 @@ void addGrade(CLI::App& app) {
   command->add_flag("--solution", options->solution, "DIR is a trusted folder of solutions/");
   command->add_flag("--no-diagnosis", options->noDiagnosis,
                     "Don't look for the likeliest cause of lost points");
-  command->add_flag("--repair", grading::repairs(),
-                    "Find out what was wrong by drawing the submission again with one thing of the "
-                    "reference's after the other, and count each fault once (some seconds more for "
-                    "who lost points)");
+  declareRepair(*command);
   command->add_flag("--json", options->json, "Print results.json on stdout");
   command->footer(
       "After -- stand arguments for GoogleTest, such as --gtest_filter=mirror.where.\n"
