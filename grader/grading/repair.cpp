@@ -291,7 +291,7 @@ private:
       if (report::lost(item) <= 0) continue;
       std::vector<Unit> repaired;
       for (std::size_t i = 0; i < causes.size(); ++i)
-        if (!isWorkOf(causes[i], declared_.at(item.id))) repaired.push_back(found[i]);
+        if (!isWorkOf(causes[i], declared_.at(item.id), causes)) repaired.push_back(found[i]);
       if (!repaired.empty()) byRepaired[repaired].push_back(item.id);
     }
     std::vector<std::vector<Unit>> variants = {found};
@@ -337,8 +337,8 @@ private:
     double worth = 0;
     for (const auto& [id, item] : declared_)
       if (item.kind == results::ItemKind::gain &&
-          std::ranges::any_of(causes,
-                              [&](const ProvedCause& cause) { return isWorkOf(cause, item); }))
+          std::ranges::any_of(
+              causes, [&](const ProvedCause& cause) { return isWorkOf(cause, item, causes); }))
         worth += item.points;
     if (worth == 0) worth = kSpoiledPoints;
     const auto worst = std::ranges::max_element(before, {}, lost);
@@ -349,12 +349,20 @@ private:
 
   /// Items say what their work is; else it is the step's that they stand for. What was right from
   /// the start is the work of those that keep it.
-  bool isWorkOf(const ProvedCause& cause, const ItemDeclaration& item) const {
+  bool isWorkOf(const ProvedCause& cause, const ItemDeclaration& item,
+                const std::vector<ProvedCause>& causes) const {
     if (cause.todos.empty()) return item.kind == results::ItemKind::keep;
     if (item.kind == results::ItemKind::keep) return false;
-    const bool isNamed = std::ranges::any_of(
-        declared_, [&](const auto& one) { return names(one.second, cause.unit); });
-    return isNamed ? names(item, cause.unit) : cause.todos.contains(item.step);
+    // What a step got wrong besides follows from the rest of its work.
+    const bool namedAlone = std::ranges::all_of(causes, [&](const ProvedCause& other) {
+      return other.todos != cause.todos || isNamed(other);
+    });
+    return namedAlone ? names(item, cause.unit) : cause.todos.contains(item.step);
+  }
+
+  bool isNamed(const ProvedCause& cause) const {
+    return std::ranges::any_of(declared_,
+                               [&](const auto& one) { return names(one.second, cause.unit); });
   }
 
   static bool names(const ItemDeclaration& declared, const std::string& unit) {
@@ -382,7 +390,7 @@ private:
     item->message = worstMessage(*item);
     item->repaired.clear();
     for (const ProvedCause& cause : causes)
-      if (!isWorkOf(cause, declared_.at(item->id)))
+      if (!isWorkOf(cause, declared_.at(item->id), causes))
         item->repaired.push_back(diagnosis::nameOf(cause));
   }
 

@@ -93,13 +93,14 @@ private:
     const double loss = lost(score, named);
     const auto message = score.messages.find(named.id);
     const bool keep = named.kind == results::ItemKind::keep;
+    const bool bonus = named.kind == results::ItemKind::bonus;
     const double share = keep ? kKeepLoss : kItemLoss;
-    if (!keep || !grading::repairs())
+    if (bonus || !grading::repairs()) // else whose work the proved cause is decides who pays
       result.require(loss, share * named.points,
                      fmt::format("{} loses {} of {} points; {}% of them must go{}", named.id,
                                  number(loss), number(named.points), number(100 * share),
                                  message == score.messages.end() ? "" : ": " + message->second));
-    if (named.beyondLecture || named.kind == results::ItemKind::bonus) return;
+    if (named.beyondLecture || bonus) return;
     const double cost = full_ - score.score;
     const double least = grading::repairs() ? kOnceCost : kRequiredCost;
     result.require(cost, least,
