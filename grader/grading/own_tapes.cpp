@@ -58,9 +58,10 @@ const tape::Tape& OwnTapes::reference(std::size_t scene) {
 
 void OwnTapes::learnOwners() {
   const rubric::SceneFolders& scene = references_.scenes.at(0);
+  static const std::string tool = hashOf(readFile("/proc/self/exe"));
   const fs::path file =
       cacheFolder() / "owners" /
-      hashOf(referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
+      hashOf(tool + referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
   if (fs::exists(file)) {
     for (const json& one : readJson(file))
       changedBy_[{one.at("role"), one.at("unit")}] =
