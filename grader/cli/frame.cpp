@@ -255,4 +255,11 @@ int runCommands(int argc, char** argv, const std::vector<AddCommand>& commands) 
   }
 }
 
+void declareRepair(CLI::App& app) {
+  app.add_flag("--repair", grading::repairs(),
+               "Find out what was wrong by drawing a submission again with one thing of the "
+               "reference's after the other, and count each fault once (some seconds more for who "
+               "lost points)");
+}
+
 } // namespace ggrade::cli

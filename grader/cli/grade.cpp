@@ -80,13 +80,6 @@ void grade(const GradeOptions& options) {
 
 } // namespace
 
-void declareRepair(CLI::App& app) {
-  app.add_flag("--repair", grading::repairs(),
-               "Find out what was wrong by drawing a submission again with one thing of the "
-               "reference's after the other, and count each fault once (some seconds more for who "
-               "lost points)");
-}
-
 void addGrade(CLI::App& app) {
   auto* command = app.add_subcommand("grade", "Grades one submission");
   auto options = std::make_shared<GradeOptions>();

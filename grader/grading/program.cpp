@@ -194,6 +194,11 @@ sandbox::Isolation& isolation() {
   return chosen;
 }
 
+bool& repairs() {
+  static bool on = false;
+  return on;
+}
+
 Happened buildProgram(const std::string& id, const fs::path& folder, Isolation isolation) {
   const Places at(isolation, folder, {}, {});
   sandbox::Command command;

@@ -26,6 +26,10 @@ inline constexpr double kWallFactor = 3;
 /// says which.
 sandbox::Isolation& isolation();
 
+/// Whether gradings of this process count each fault once (grading/repair.hpp): scores depend on
+/// it.
+bool& repairs();
+
 /// What happened when a submission was built or run, in the contract's terms.
 struct Happened {
   results::Outcome outcome = results::Outcome::notGradable;

@@ -413,11 +413,6 @@ private:
 
 } // namespace
 
-bool& repairs() {
-  static bool on = false;
-  return on;
-}
-
 bool isWorthRepair(const results::Result& result) {
   return report::scored(result.outcome) &&
          std::ranges::any_of(result.items, [](const results::Item& item) {

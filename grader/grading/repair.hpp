@@ -12,9 +12,6 @@ namespace ggrade::grading {
 
 struct Graded;
 
-/// Whether gradings of this process repair: scores depend on it.
-bool& repairs();
-
 /// Were points lost by a program that ran?
 bool isWorthRepair(const results::Result& result);
 
