@@ -57,15 +57,40 @@ const tape::Tape& OwnTapes::reference(std::size_t scene) {
 }
 
 void OwnTapes::learnOwners() {
+  const std::lock_guard lock(owners_);
+  if (learned_) return;
+  readOrLearn();
+  learned_ = true;
+}
+
+void OwnTapes::addStep(const std::string& todo, const repair::Comparison& before,
+                       const repair::Comparison& after) {
+  for (const repair::Difference& one : before.differences) {
+    if (one.passes.empty()) continue;
+    const auto still = std::ranges::find(after.differences, one.unit, &repair::Difference::unit);
+    const bool isGone = still == after.differences.end();
+    std::set<std::string> added;
+    std::ranges::copy_if(
+        one.lacks, std::inserter(added, added.end()),
+        [&](const std::string& line) { return isGone || !still->lacks.contains(line); });
+    if (!isGone && added.empty()) continue;
+    changedBy_[one.unit][todo].insert(added.begin(), added.end());
+    direct_.insert(one.unit);
+  }
+}
+
+void OwnTapes::readOrLearn() {
   const rubric::SceneFolders& scene = references_.scenes.at(0);
   static const std::string tool = hashOf(readFile("/proc/self/exe"));
   const fs::path file =
       cacheFolder() / "owners" /
       hashOf(tool + referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
   if (fs::exists(file)) {
-    for (const json& one : readJson(file))
-      changedBy_[{one.at("role"), one.at("unit")}] =
-          one.at("todos").get<std::map<std::string, std::set<std::string>>>();
+    for (const json& one : readJson(file)) {
+      const Unit unit{one.at("role"), one.at("unit")};
+      changedBy_[unit] = one.at("todos").get<std::map<std::string, std::set<std::string>>>();
+      if (one.at("direct")) direct_.insert(unit);
+    }
     return;
   }
   const tape::Tape& right = reference(0);
@@ -75,6 +100,7 @@ void OwnTapes::learnOwners() {
   for (const Part& part : target_.parts)
     for (const auto& todo : part.todos) wanted.insert(todo.id);
   // Without one TODO alone: what then differs is its work.
+  std::set<std::string> neededLater; // without it the solution doesn't run
   for (const std::string& todo : wanted) {
     std::set<std::string> others = all;
     others.erase(todo);
@@ -84,11 +110,12 @@ void OwnTapes::learnOwners() {
         if (!one.passes.empty())
           changedBy_[one.unit][todo].insert(one.lacks.begin(), one.lacks.end());
     } catch (const NoTape&) {
+      neededLater.insert(todo);
     }
   }
   // What can't be without a TODO, because its whole pass isn't drawn, is the work of the step with
   // which it comes.
-  const auto known = changedBy_;
+  for (const auto& [unit, todos] : changedBy_) direct_.insert(unit);
   std::set<std::string> filled;
   std::ranges::set_difference(all, wanted, std::inserter(filled, filled.end()));
   repair::Comparison before = repair::compare(record({solutionFolder_, {}, filled}, scene), right);
@@ -97,13 +124,17 @@ void OwnTapes::learnOwners() {
       filled.insert(todo.id);
       repair::Comparison after =
           repair::compare(record({solutionFolder_, {}, filled}, scene), right);
+      if (neededLater.contains(todo.id)) addStep(todo.id, before, after);
       for (const Unit& unit : after.compared)
-        if (!before.compared.contains(unit) && !known.contains(unit)) changedBy_[unit][todo.id];
+        if (!before.compared.contains(unit) && !direct_.contains(unit)) changedBy_[unit][todo.id];
       before = std::move(after);
     }
   json kept = json::array();
   for (const auto& [unit, todos] : changedBy_)
-    kept.push_back({{"role", unit.role}, {"unit", unit.name}, {"todos", todos}});
+    kept.push_back({{"role", unit.role},
+                    {"unit", unit.name},
+                    {"todos", todos},
+                    {"direct", direct_.contains(unit)}});
   TemporaryFolder work(file.parent_path());
   report::writeFile(work.path() / "owners", kept.dump());
   keep(work.path() / "owners", file);
@@ -121,11 +152,7 @@ std::set<Unit> OwnTapes::unitsOf(const fs::path& patch) {
 }
 
 std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
-  const std::lock_guard lock(owners_);
-  if (!learned_) {
-    learnOwners();
-    learned_ = true;
-  }
+  learnOwners();
   const auto found = changedBy_.find(difference.unit);
   if (found == changedBy_.end()) return {};
   std::set<std::string> all, byLine;
@@ -136,6 +163,29 @@ std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
       byLine.insert(todo);
   }
   return byLine.empty() ? all : byLine;
+}
+
+std::set<std::string> OwnTapes::carriedBy(const repair::Difference& difference) {
+  std::set<std::string> todos;
+  if (std::ranges::none_of(difference.patch, [](const json& one) {
+        return one.at("value").is_object() && one["value"].value("op", "") == "draw" &&
+               one.at("path").get_ref<const std::string&>().find("/before/") != std::string::npos;
+      }))
+    return todos;
+  learnOwners();
+  // Of a pass that is there, its clears show what it draws into, and all state that isn't set
+  // between them and the draws.
+  const auto isSeenAnyway = [&](const Unit& unit) {
+    if (difference.passes.empty()) return false;
+    for (const char* at : {"attachments", "framebuffer", "viewport", "scissor", "clear"})
+      if (unit.name.starts_with(at)) return true;
+    const bool isState = unit.name.find(' ') == std::string::npos && unit.name != "draws";
+    return isState && !direct_.contains(unit);
+  };
+  for (const auto& [unit, owners] : changedBy_)
+    if (unit.role == difference.unit.role && !isSeenAnyway(unit))
+      for (const auto& [todo, lines] : owners) todos.insert(todo);
+  return todos;
 }
 
 } // namespace ggrade::grading

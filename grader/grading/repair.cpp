@@ -277,7 +277,7 @@ private:
       });
       const repair::Difference& one =
           *std::ranges::find(in->differences, unit, &repair::Difference::unit);
-      causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one)});
+      causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one), own_.carriedBy(one)});
     }
     return causes;
   }
@@ -351,8 +351,10 @@ private:
   /// the start is the work of those that keep it.
   bool isWorkOf(const ProvedCause& cause, const ItemDeclaration& item,
                 const std::vector<ProvedCause>& causes) const {
-    if (cause.todos.empty()) return item.kind == results::ItemKind::keep;
-    if (item.kind == results::ItemKind::keep) return false;
+    const bool isKeep = item.kind == results::ItemKind::keep;
+    if (cause.todos.empty() && cause.carried.empty()) return isKeep;
+    if (isKeep) return false;
+    if (cause.carried.contains(item.step)) return true;
     // What a step got wrong besides follows from the rest of its work.
     const bool namedAlone = std::ranges::all_of(causes, [&](const ProvedCause& other) {
       return other.todos != cause.todos || isNamed(other);

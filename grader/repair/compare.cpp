@@ -243,9 +243,13 @@ private:
       const auto functions = functionsOf(source), rightOnes = functionsOf(right);
       const std::string path = pointer({at, "program", "stages", std::to_string(k), "blob"});
       bool differs = restOf(source) != restOf(right) || functions.size() != rightOnes.size();
+      std::set<std::string> lacksInAll;
       for (const auto& [name, function] : rightOnes) {
         const auto found = functions.find(name);
-        if (found == functions.end()) continue;
+        if (found == functions.end()) {
+          lacksInAll.insert(function.lines.begin(), function.lines.end());
+          continue;
+        }
         const std::string unit = "function " + name + " in " + stage;
         result_.compared.insert({role_, unit});
         if (found->second.words == function.words) continue;
@@ -253,6 +257,7 @@ private:
         auto& lacks = found_[{role_, unit}].lacks;
         std::ranges::set_difference(function.lines, found->second.lines,
                                     std::inserter(lacks, lacks.end()));
+        lacksInAll.insert(lacks.begin(), lacks.end());
         std::string changed = source;
         changed.replace(found->second.begin, found->second.end - found->second.begin,
                         right.substr(function.begin, function.end - function.begin));
@@ -261,6 +266,7 @@ private:
       if (!differs) continue;
       const std::string unit = "shader " + stage;
       patch(unit, path, b);
+      found_[{role_, unit}].lacks.merge(lacksInAll);
       for (const char* key : {"uniforms", "textures", "blocks"})
         for (const auto& [name, value] : theirs.at(key).items())
           if (!own.at(key).contains(name)) patch(unit, pointer({at, key, name}), value);

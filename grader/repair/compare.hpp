@@ -23,7 +23,7 @@ struct Difference {
   Unit unit;
   std::set<std::size_t> passes;                   ///< of the submission, counted within a frame
   nlohmann::json patch = nlohmann::json::array(); ///< RFC 6902, of Comparison::tape's commands
-  /// Of a function: the reference's lines that the submission's lacks.
+  /// Of a function or shader: the reference's lines that the submission's lacks.
   std::set<std::string> lacks{};
 };
 
