@@ -451,7 +451,7 @@ void Grader::judge(Graded& graded) {
         repairFaults(target_, *tapes_, theJudge(), graded, options_.threads, result.causesSought);
     options_.begins(Runs::none);
   }
-  if (problem.empty() && result.causes.empty()) {
+  if (problem.empty() && (result.causes.empty() || areUnfinished(result.causes))) {
     int runs = 0;
     {
       const Stopwatch time(result, "carry forward");

@@ -75,7 +75,6 @@ void OwnTapes::addStep(const std::string& todo, const repair::Comparison& before
         [&](const std::string& line) { return isGone || !still->lacks.contains(line); });
     if (!isGone && added.empty()) continue;
     changedBy_[one.unit][todo].insert(added.begin(), added.end());
-    direct_.insert(one.unit);
   }
 }
 
@@ -86,11 +85,9 @@ void OwnTapes::readOrLearn() {
       cacheFolder() / "owners" /
       hashOf(tool + referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
   if (fs::exists(file)) {
-    for (const json& one : readJson(file)) {
-      const Unit unit{one.at("role"), one.at("unit")};
-      changedBy_[unit] = one.at("todos").get<std::map<std::string, std::set<std::string>>>();
-      if (one.at("direct")) direct_.insert(unit);
-    }
+    for (const json& one : readJson(file))
+      changedBy_[{one.at("role"), one.at("unit")}] =
+          one.at("todos").get<std::map<std::string, std::set<std::string>>>();
     return;
   }
   const tape::Tape& right = reference(0);
@@ -107,7 +104,7 @@ void OwnTapes::readOrLearn() {
     try {
       const tape::Tape tape = record({solutionFolder_, {}, others}, scene);
       for (const repair::Difference& one : repair::compare(tape, right).differences)
-        if (!one.passes.empty())
+        if (!one.passes.empty() || one.unit.name == "draws") // or the whole pass
           changedBy_[one.unit][todo].insert(one.lacks.begin(), one.lacks.end());
     } catch (const NoTape&) {
       neededLater.insert(todo);
@@ -115,7 +112,7 @@ void OwnTapes::readOrLearn() {
   }
   // What can't be without a TODO, because its whole pass isn't drawn, is the work of the step with
   // which it comes.
-  for (const auto& [unit, todos] : changedBy_) direct_.insert(unit);
+  const auto known = changedBy_;
   std::set<std::string> filled;
   std::ranges::set_difference(all, wanted, std::inserter(filled, filled.end()));
   repair::Comparison before = repair::compare(record({solutionFolder_, {}, filled}, scene), right);
@@ -126,15 +123,12 @@ void OwnTapes::readOrLearn() {
           repair::compare(record({solutionFolder_, {}, filled}, scene), right);
       if (neededLater.contains(todo.id)) addStep(todo.id, before, after);
       for (const Unit& unit : after.compared)
-        if (!before.compared.contains(unit) && !direct_.contains(unit)) changedBy_[unit][todo.id];
+        if (!before.compared.contains(unit) && !known.contains(unit)) changedBy_[unit][todo.id];
       before = std::move(after);
     }
   json kept = json::array();
   for (const auto& [unit, todos] : changedBy_)
-    kept.push_back({{"role", unit.role},
-                    {"unit", unit.name},
-                    {"todos", todos},
-                    {"direct", direct_.contains(unit)}});
+    kept.push_back({{"role", unit.role}, {"unit", unit.name}, {"todos", todos}});
   TemporaryFolder work(file.parent_path());
   report::writeFile(work.path() / "owners", kept.dump());
   keep(work.path() / "owners", file);
@@ -163,29 +157,6 @@ std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
       byLine.insert(todo);
   }
   return byLine.empty() ? all : byLine;
-}
-
-std::set<std::string> OwnTapes::carriedBy(const repair::Difference& difference) {
-  std::set<std::string> todos;
-  if (std::ranges::none_of(difference.patch, [](const json& one) {
-        return one.at("value").is_object() && one["value"].value("op", "") == "draw" &&
-               one.at("path").get_ref<const std::string&>().find("/before/") != std::string::npos;
-      }))
-    return todos;
-  learnOwners();
-  // Of a pass that is there, its clears show what it draws into, and all state that isn't set
-  // between them and the draws.
-  const auto isSeenAnyway = [&](const Unit& unit) {
-    if (difference.passes.empty()) return false;
-    for (const char* at : {"attachments", "framebuffer", "viewport", "scissor", "clear"})
-      if (unit.name.starts_with(at)) return true;
-    const bool isState = unit.name.find(' ') == std::string::npos && unit.name != "draws";
-    return isState && !direct_.contains(unit);
-  };
-  for (const auto& [unit, owners] : changedBy_)
-    if (unit.role == difference.unit.role && !isSeenAnyway(unit))
-      for (const auto& [todo, lines] : owners) todos.insert(todo);
-  return todos;
 }
 
 } // namespace ggrade::grading

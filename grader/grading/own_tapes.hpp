@@ -26,10 +26,6 @@ public:
   /// which it comes. None: it is there and right from the start.
   std::set<std::string> ownersOf(const repair::Difference& difference);
 
-  /// The TODOs whose work comes with draws that are put in, so that nothing is known of theirs: all
-  /// that is seen by drawing alone; with a whole pass, what it draws into, too.
-  std::set<std::string> carriedBy(const repair::Difference& difference);
-
   /// What the solution with this patch differs in from the solution, in the first scene. Empty, if
   /// that program has no tape.
   std::set<repair::Unit> unitsOf(const std::filesystem::path& patch);
@@ -49,7 +45,6 @@ private:
   std::map<std::size_t, tape::Tape> reference_;
   /// TODOs, each with the lines that a function lacks without it.
   std::map<repair::Unit, std::map<std::string, std::set<std::string>>> changedBy_;
-  std::set<repair::Unit> direct_; ///< those of them that differ without the TODO, and nothing else
   bool learned_ = false;
 };
 

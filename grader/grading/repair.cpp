@@ -81,7 +81,8 @@ public:
     scenes_.push_back(record(scenes[0]));
     std::vector<Unit> found = search(0, {});
     if (found.empty()) throw NotRepaired("the passes' differences don't explain it");
-    if (lossy_.size() == 1) return causesOf(found);
+    if (const auto causes = causesOf(found); lossy_.size() == 1 || areUnfinished(causes))
+      return causes;
     scenes_.resize(scenes.size());
     inParallel(scenes.size() - 1, threads_,
                [&](std::size_t i) { scenes_[i + 1] = record(scenes[i + 1]); });
@@ -277,7 +278,7 @@ private:
       });
       const repair::Difference& one =
           *std::ranges::find(in->differences, unit, &repair::Difference::unit);
-      causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one), own_.carriedBy(one)});
+      causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one), one.isUnseen});
     }
     return causes;
   }
@@ -286,6 +287,7 @@ private:
   /// those that are its own work. False: a scene needs more than `found`, which now has that, too.
   bool settle(std::vector<Unit>& found) {
     const std::vector<ProvedCause> causes = causesOf(found);
+    if (areUnfinished(causes)) return true;
     std::map<std::vector<Unit>, std::vector<std::string>> byRepaired; // what is repaired: for whom
     for (const results::Item& item : items_) {
       if (report::lost(item) <= 0) continue;
@@ -352,9 +354,8 @@ private:
   bool isWorkOf(const ProvedCause& cause, const ItemDeclaration& item,
                 const std::vector<ProvedCause>& causes) const {
     const bool isKeep = item.kind == results::ItemKind::keep;
-    if (cause.todos.empty() && cause.carried.empty()) return isKeep;
+    if (cause.todos.empty()) return isKeep;
     if (isKeep) return false;
-    if (cause.carried.contains(item.step)) return true;
     // What a step got wrong besides follows from the rest of its work.
     const bool namedAlone = std::ranges::all_of(causes, [&](const ProvedCause& other) {
       return other.todos != cause.todos || isNamed(other);
@@ -414,6 +415,10 @@ private:
 };
 
 } // namespace
+
+bool areUnfinished(const std::vector<ProvedCause>& causes) {
+  return std::ranges::any_of(causes, &ProvedCause::isUnseen);
+}
 
 bool isWorthRepair(const results::Result& result) {
   return report::scored(result.outcome) &&

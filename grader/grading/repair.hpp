@@ -15,6 +15,10 @@ struct Graded;
 /// Were points lost by a program that ran?
 bool isWorthRepair(const results::Result& result);
 
+/// Is one of them that something isn't drawn at all? Then nothing is given back: the reference's
+/// draws would bring the work of other steps with them.
+bool areUnfinished(const std::vector<results::ProvedCause>& causes);
+
 /// Finds the causes and gives back what they cost more than once. Nothing: no set of causes makes
 /// it right, and the items stay as they are. Throws Interrupted.
 /// \param threads scenes are drawn so many at a time

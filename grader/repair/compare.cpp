@@ -93,8 +93,13 @@ public:
       }
       comparePass(pair);
     }
-    for (auto& [unit, difference] : found_)
+    std::set<std::string> seen; // roles in which both draw something
+    for (const Unit& unit : result_.compared)
+      if (unit.name.starts_with("shader ")) seen.insert(unit.role);
+    for (auto& [unit, difference] : found_) {
+      difference.isUnseen = difference.isUnseen && !seen.contains(unit.role);
       if (!difference.patch.empty()) result_.differences.push_back(std::move(difference));
+    }
     std::ranges::stable_sort(result_.differences, {}, [this](const Difference& one) {
       return std::pair(widthOf(one.unit.name), order_.at(one.unit.role));
     });
@@ -330,6 +335,8 @@ private:
         patch(unit,
               pointer({std::to_string(*both.before), "before", fmt::format("{:06}", *both.other)}),
               reference_[*both.other]);
+      if (!both.one && both.before && reference_[*both.other].at("op") == "draw")
+        found_[{role_, unit}].isUnseen = true;
       else if (!both.other)
         patch(unit, pointer({std::to_string(*both.one), "skip"}), true);
     }

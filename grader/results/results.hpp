@@ -139,8 +139,7 @@ struct ProvedCause {
   std::string role;             ///< of these passes, see repair::Unit
   std::string unit;             ///< "viewport", "uniform uLight", "function visibility in fragment"
   std::set<std::string> todos;  ///< whose work it is; none: it was right before, and was spoiled
-  /// Whose work can't be seen, because what lacked was put in with it.
-  std::set<std::string> carried{};
+  bool isUnseen = false;        ///< draws that lack: what else belongs to them can't be seen
 };
 
 struct Timing {

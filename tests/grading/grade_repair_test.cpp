@@ -14,7 +14,7 @@ using testing::IsEmpty;
 namespace {
 
 /// One grader for all: it keeps the references and their tapes.
-Result repaired(const std::string& file, const std::string& from, const std::string& to) {
+Result repaired(const Submission& submission) {
   static const ggrade::Target target = ggrade::findTarget(kSource / "assignments", "mirror");
   static ggrade::grading::Grader grader = [] {
     const fs::path solutions = kSource / "solutions/floor";
@@ -24,9 +24,11 @@ Result repaired(const std::string& file, const std::string& from, const std::str
     return ggrade::grading::Grader(target, solutions,
                                    ggrade::grading::drawScenes(target, solutions), options);
   }();
-  Submission submission = Submission::solution();
-  submission.replace(file, from, to);
   return grader.gradeTrusted(submission.path());
+}
+
+Result repaired(const std::string& file, const std::string& from, const std::string& to) {
+  return repaired(Submission::solution().replace(file, from, to));
 }
 
 double lost(const Result& result, const std::string& id) {
@@ -68,6 +70,35 @@ TEST(Repair, ALineOfAShaderCostsTheStepThatWritesIt) {
   EXPECT_THAT(shading.repaired, ElementsAre("main() in the vertex shader"));
   EXPECT_THAT(shading.message, HasSubstr("reflection's colours: 0.0%"));
   EXPECT_NEAR(lostInAll(result), 15, 0.01);
+}
+
+TEST(LongRepair, WhatIsNotDrawnGivesNothingBack) {
+  const Result result = repaired(Submission::firstSteps(3));
+  ASSERT_EQ(result.causes.size(), 1U) << result.causesSought;
+  EXPECT_EQ(result.causes[0].unit, "draws");
+  EXPECT_TRUE(result.causes[0].isUnseen);
+  EXPECT_THAT(result.causes[0].todos, ElementsAre("mirror.4"));
+  EXPECT_NEAR(lostInAll(result), 65, 0.01) << "the items of steps 4 to 6";
+}
+
+TEST(LongRepair, NothingDoneEarnsNothing) {
+  EXPECT_NEAR(lostInAll(repaired(Submission::firstSteps(0))), 100, 0.01);
+}
+
+TEST(LongRepair, AClassIsRepaired) {
+  const TemporaryFolder folder;
+  Submission submission = Submission::solution();
+  submission.replace("mirror.hpp", "glViewport(0, 0, window.x, window.y);",
+                     "glViewport(0, 0, window.y, window.y);");
+  fs::create_directories(folder.path() / "uploads");
+  fs::copy(submission.path(), folder.path() / "uploads/ada");
+  const fs::path out = folder.path() / "out";
+  const Ended ended =
+      runTool({"batch", "mirror", folder.path() / "uploads", "--out", out, "--repair"}, {}, 300);
+  ASSERT_EQ(ended.exitCode, 0) << ended.errors;
+  const auto results = nlohmann::json::parse(read(out / "ada/results.json"));
+  EXPECT_EQ(results.at("score"), 90);
+  EXPECT_EQ(results.at("extra_data").at("proved_causes").at(0).at("unit"), "viewport");
 }
 
 } // namespace

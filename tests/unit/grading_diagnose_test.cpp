@@ -29,9 +29,10 @@ Graded withErrors() {
 std::vector<results::Diagnosis> told(const Graded& graded) {
   Target target;
   target.parts.emplace_back().id = "mirror";
-  return grading::diagnosesOf(target, graded, [](const Part&) -> Diagnoser& {
-    throw std::runtime_error("resemblances are asked for");
-  });
+  return grading::diagnosesOf(
+      target, graded,
+      [](const Part&) -> Diagnoser& { throw std::runtime_error("resemblances are asked for"); },
+      [](const auto&, const auto&) { return false; });
 }
 
 TEST(Diagnose, WhatWasObservedGoesBeforeAResemblance) {
