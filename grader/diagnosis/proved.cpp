@@ -50,7 +50,7 @@ std::string nameOf(const results::ProvedCause& cause) {
   if (unit == "polygonOffset") return say("the polygon offset");
   if (unit == "framebuffer") return say("which framebuffer is bound");
   if (unit == "attachments") return say("the images that are drawn into");
-  if (unit == "draws") return say("what is drawn");
+  if (unit == "draws") return cause.isUnseen ? say("what isn't drawn yet") : say("what is drawn");
   return unit.starts_with("clipDistance") ? say("the clipping") : say("OpenGL's state {}", unit);
 }
 
@@ -68,15 +68,14 @@ std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
   std::vector<std::size_t> numbers;
   for (const std::size_t pass : passes) numbers.push_back(pass + 1);
   std::string text =
-      !named ? say("Proved by drawing it again: with other values in this place, all is right: {}.",
+      !named ? say("Proved by drawing it again: with nothing changed but this, all is right: {}.",
                    list)
-      : numbers.size() == 1
-          ? say("Proved by drawing it again: with other values in this place of pass {}, all is "
-                "right: {}.",
-                numbers[0], list)
-          : say("Proved by drawing it again: with other values in this place of the passes {}, all "
-                "is right: {}.",
-                fmt::to_string(fmt::join(numbers, ", ")), list);
+      : numbers.size() == 1 ? say("Proved by drawing it again: with nothing changed but this in "
+                                  "pass {}, all is right: {}.",
+                                  numbers[0], list)
+                            : say("Proved by drawing it again: with nothing changed but this in "
+                                  "the passes {}, all is right: {}.",
+                                  fmt::to_string(fmt::join(numbers, ", ")), list);
   if (causes[0].todos.empty())
     text +=
         ' ' + say("The handed-out program has it right: a call of yours changes it, and doesn't "

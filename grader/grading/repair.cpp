@@ -48,6 +48,8 @@ struct TapedScene {
   channel::Capture drawn; ///< what the tape must draw, until that was seen
   std::vector<std::byte> tape;
   std::vector<repair::Difference> differences;
+  std::uint64_t frameBytes = 0; ///< of copies of a frame's passes
+  double distance = 0;          ///< of what was drawn, see Drawn
 };
 
 /// What was drawn with one patch.
@@ -132,8 +134,9 @@ private:
     const tape::Tape tape = tape::read(taped.capture.tape);
     taped.capture.tape.clear();
     repair::Comparison comparison = repair::compare(tape, own_.reference(index));
+    const std::uint64_t frameBytes = taped.capture.trace.pixels.size();
     return {index, std::move(taped.capture), tape::write(comparison.tape),
-            std::move(comparison.differences)};
+            std::move(comparison.differences), frameBytes};
   }
 
   /// Draws a scene as each of these has it.
@@ -143,13 +146,18 @@ private:
     for (const std::vector<Unit>& units : repaired) patches.push_back(patchOf(scene, units));
     const std::vector<channel::Capture> captures =
         playEach(scene.tape, patches, graded.scene.at("size").get<std::vector<std::uint32_t>>(),
-                 graded.times, graded_.shaders);
+                 graded.times, graded_.shaders, scene.frameBytes);
+    if (captures[0].frames.empty()) throw NotRepaired("it can't be drawn again");
     if (!scene.drawn.frames.empty()) {
       if (const std::string odd = differenceOf(scene.drawn, captures[0]); !odd.empty())
         throw NotRepaired("it is not drawn again as it was: " + odd);
       scene.drawn = {};
     }
     const std::vector<rubric::RawFrame> wanted = rubric::readFrames(graded.reference);
+    const auto farOff = [&](const channel::Capture& capture) {
+      return distance(capture.frames.back().pixels, wanted.back().pixels);
+    };
+    scene.distance = farOff(captures[0]);
     std::vector<Drawn> all;
     for (std::size_t i = 1; i < captures.size(); ++i) {
       Drawn& one = all.emplace_back();
@@ -159,7 +167,7 @@ private:
       trace::save(captures[i].trace, one.folder);
       rubric::writeFrames(one.folder, rawFrames(captures[i]));
       one.changed = !differenceOf(captures[0], captures[i]).empty();
-      one.distance = distance(captures[i].frames.back().pixels, wanted.back().pixels);
+      one.distance = farOff(captures[i]);
     }
     return all;
   }
@@ -219,8 +227,13 @@ private:
     std::ranges::stable_sort(order, {}, [&](std::size_t i) {
       return std::pair(widthOf(all[i].name), drawn[kWidths + i].distance);
     });
-    for (const std::size_t i : order)
-      if (isRight(scene, drawn[kWidths + i])) return {all[i]};
+    for (const std::size_t i : order) {
+      const Drawn& one = drawn[kWidths + i];
+      // Where the window is wrong, what makes all right brings it nearer.
+      if (one.distance > scene.distance || (one.distance == scene.distance && one.distance > 0))
+        continue;
+      if (isRight(scene, one)) return {all[i]};
+    }
     for (std::size_t width = 0; width < kWidths; ++width)
       if (width + 1 == kWidths || isRight(scene, drawn[width]))
         return withoutNeedless(scene, levels[width], already);
@@ -250,9 +263,16 @@ private:
     std::vector<Unit> needless;
     for (std::size_t i = 0; i < set.size(); ++i)
       if (!drawn[i].changed || isRight(scene, drawn[i])) needless.push_back(set[i]);
-    // Each alone is needless; together they may not be.
-    while (needless.size() > 1 && !isRight(scene, draw(scene, {without(needless)})[0]))
-      needless.pop_back();
+    if (needless.size() > 1) {
+      // Each alone is needless; together they may not be.
+      std::vector<std::vector<Unit>> first; // without the first 1, 2, ... of them
+      for (std::size_t i = 1; i <= needless.size(); ++i)
+        first.push_back(without({needless.begin(), needless.begin() + std::ptrdiff_t(i)}));
+      const std::vector<Drawn> fewer = draw(scene, first);
+      const auto enough = std::ranges::partition_point(
+          fewer, [&](const Drawn& one) { return isRight(scene, one); });
+      needless.resize(std::size_t(enough - fewer.begin()));
+    }
     std::erase_if(
         set, [&](const Unit& unit) { return std::ranges::find(needless, unit) != needless.end(); });
     return set;

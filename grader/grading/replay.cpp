@@ -41,28 +41,31 @@ Rendering play(const std::vector<std::byte>& tape, const std::vector<nlohmann::j
 std::vector<channel::Capture> playEach(const std::vector<std::byte>& tape,
                                        const std::vector<nlohmann::json>& patches,
                                        const std::vector<std::uint32_t>& size,
-                                       const std::vector<double>& times,
-                                       const ShaderCache& shaders) {
-  const std::size_t frames = times.size(),
-                    together = std::max(std::size_t{1}, kVariantFrames / frames);
+                                       const std::vector<double>& times, const ShaderCache& shaders,
+                                       std::uint64_t frameBytes) {
+  const std::size_t frames = times.size();
   trace::Request request = gradingRequest();
   request.copyFrames = channel::kMaxFrames;
   request.copyBytes = std::uint64_t{1} << 30;
+  // A patch may add passes: so twice the room.
+  const std::size_t room = request.copyBytes / (2 * std::max(frameBytes, std::uint64_t{1}));
+  const std::size_t together = std::max(std::size_t{1}, std::min(kVariantFrames, room) / frames);
   std::vector<channel::Capture> all;
-  for (std::size_t at = 0; at < patches.size(); at += together) {
-    const std::vector<nlohmann::json> some(
-        patches.begin() + std::ptrdiff_t(at),
-        patches.begin() + std::ptrdiff_t(std::min(at + together, patches.size())));
+  while (all.size() < patches.size()) {
+    const auto begin = patches.begin() + std::ptrdiff_t(all.size());
+    const std::size_t count = std::min(together, patches.size() - all.size());
+    const std::vector<nlohmann::json> some(begin, begin + std::ptrdiff_t(count));
     const Rendering played = play(tape, some, size, std::uint32_t(frames), shaders, request);
-    const std::size_t whole = played.capture.frames.size() / frames;
-    for (std::size_t i = 0; i < some.size(); ++i) {
+    const std::size_t whole = std::min(count, played.capture.frames.size() / frames);
+    for (std::size_t i = 0; i < whole; ++i) {
       channel::Capture& one = all.emplace_back();
-      if (i >= whole) continue;
       const auto first = played.capture.frames.begin() + std::ptrdiff_t(i * frames);
       one.frames.assign(first, first + std::ptrdiff_t(frames));
       for (std::size_t k = 0; k < frames; ++k) one.frames[k].time = times[k];
       one.trace = trace::framesOf(played.capture.trace, i * frames, frames);
     }
+    // What ends a run is one patch's fault: those after it are drawn in another one.
+    if (whole == 0) all.emplace_back();
   }
   return all;
 }

@@ -20,11 +20,12 @@ Rendering play(const std::vector<std::byte>& tape, const std::vector<nlohmann::j
 /// As `play` with grading's request: for each patch what it drew, with its first frame's passes;
 /// without frames where the player didn't get that far.
 /// \param times of the frames, seconds
+/// \param frameBytes copies of one frame's passes take
 std::vector<channel::Capture> playEach(const std::vector<std::byte>& tape,
                                        const std::vector<nlohmann::json>& patches,
                                        const std::vector<std::uint32_t>& size,
-                                       const std::vector<double>& times,
-                                       const ShaderCache& shaders);
+                                       const std::vector<double>& times, const ShaderCache& shaders,
+                                       std::uint64_t frameBytes);
 
 /// Where the second drew something else than the first, in words; empty: every frame, and every
 /// copy of every pass, is equal bit for bit.

@@ -21,22 +21,27 @@ TEST(Proved, UnitsInWords) {
 
 TEST(Proved, SaysWhereAndWhatWasSpoiled) {
   EXPECT_EQ(sentenceOf({{{0}, "", "clear", {"mirror.2"}}}),
-            "Proved by drawing it again: with other values in this place of pass 1, all is right: "
+            "Proved by drawing it again: with nothing changed but this in pass 1, all is right: "
             "what is cleared, and to what.");
   EXPECT_EQ(sentenceOf({{{1}, "", "viewport", {}}}),
-            "Proved by drawing it again: with other values in this place of pass 2, all is right: "
+            "Proved by drawing it again: with nothing changed but this in pass 2, all is right: "
             "the viewport. The handed-out program has it right: a call of yours changes it, and "
             "doesn't put it back.");
   EXPECT_EQ(
       sentenceOf(
           {{{0}, "", "clear", {"a.1"}}, {{1}, "", "depth", {"a.2"}}, {{1}, "", "blend", {"a.2"}}}),
-      "Proved by drawing it again: with other values in this place, all is right: what is "
+      "Proved by drawing it again: with nothing changed but this, all is right: what is "
       "cleared, and to what, the depth test and the blending.");
+}
+
+TEST(Proved, WhatIsNotDrawnIsCalledSo) {
+  EXPECT_EQ(nameOf({{0}, "", "draws", {"mirror.4"}}), "what is drawn");
+  EXPECT_EQ(nameOf({{}, "", "draws", {"mirror.4"}, true}), "what isn't drawn yet");
 }
 
 TEST(Proved, PassesOfOneRoleAreNamedTogether) {
   EXPECT_EQ(sentenceOf({{{4, 5, 6}, "", "blend", {"bloom.5"}}}),
-            "Proved by drawing it again: with other values in this place of the passes 5, 6, 7, "
+            "Proved by drawing it again: with nothing changed but this in the passes 5, 6, 7, "
             "all is right: the blending.");
 }
 

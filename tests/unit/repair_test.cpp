@@ -88,6 +88,7 @@ TEST(Repair, ADrawThatLacksIsPutBackAsAWhole) {
   const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
   EXPECT_EQ(patched[7]["op"], "swap");
   ASSERT_EQ(patched[7]["before"].size(), 1U);
+  EXPECT_FALSE(comparison.differences[0].isUnseen) << "the pass draws another mesh";
   EXPECT_EQ(patched[7]["before"]["000006"]["op"], "draw");
 }
 
@@ -163,6 +164,7 @@ TEST(Repair, APassThatLacksIsPutBeforeTheNext) {
   EXPECT_THAT(names(comparison), ElementsAre("- draws"));
   const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
   EXPECT_EQ(patched[2]["before"].size(), 2U);
+  EXPECT_TRUE(comparison.differences[0].isUnseen);
   EXPECT_EQ(patched[2]["before"]["000003"]["op"], "draw");
   EXPECT_THAT(comparison.roles, testing::SizeIs(1));
 }
