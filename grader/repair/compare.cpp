@@ -93,11 +93,10 @@ public:
       }
       comparePass(pair);
     }
-    std::set<std::string> seen; // roles in which both draw something
-    for (const Unit& unit : result_.compared)
-      if (unit.name.starts_with("shader ")) seen.insert(unit.role);
     for (auto& [unit, difference] : found_) {
-      difference.isUnseen = difference.isUnseen && !seen.contains(unit.role);
+      difference.isUnseen = std::ranges::any_of(putIn_[unit], [&](const json& shaders) {
+        return !drawn_.contains({unit.role, shaders});
+      });
       if (!difference.patch.empty()) result_.differences.push_back(std::move(difference));
     }
     std::ranges::stable_sort(result_.differences, {}, [this](const Difference& one) {
@@ -322,10 +321,12 @@ private:
       if (command.contains("target")) compareTarget(i, command);
       if (command.contains("state") && command["state"].contains("viewport"))
         compareState(i, command);
-      if (command.at("op") == "draw")
+      if (command.at("op") == "draw") {
         compareDraw(i, command);
-      else
+        drawn_.insert({role_, command.at("program").at("stages")});
+      } else {
         compareClear(i, command);
+      }
     }
     if (first_)
       for (const char* unit : {"draws", "clear"}) result_.compared.insert({role_, unit});
@@ -336,7 +337,7 @@ private:
               pointer({std::to_string(*both.before), "before", fmt::format("{:06}", *both.other)}),
               reference_[*both.other]);
       if (!both.one && both.before && reference_[*both.other].at("op") == "draw")
-        found_[{role_, unit}].isUnseen = true;
+        putIn_[{role_, unit}].insert(reference_[*both.other].at("program").at("stages"));
       else if (!both.other)
         patch(unit, pointer({std::to_string(*both.one), "skip"}), true);
     }
@@ -349,7 +350,9 @@ private:
   std::string role_;                 ///< of the pass that is being compared
   std::optional<std::size_t> first_; ///< its ordinal in the submission
   std::map<Unit, Difference> found_;
-  std::map<std::string, std::size_t> order_; ///< of roles, by their first pass
+  std::set<std::pair<std::string, json>> drawn_; ///< roles, and the shaders that both draw with
+  std::map<Unit, std::set<json>> putIn_;         ///< the shaders of draws that lack
+  std::map<std::string, std::size_t> order_;     ///< of roles, by their first pass
   std::map<std::string, std::uint64_t> made_;
   std::set<std::pair<std::string, json>> images_; ///< of roles, that were compared
 };

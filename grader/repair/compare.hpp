@@ -23,8 +23,8 @@ struct Difference {
   Unit unit;
   std::set<std::size_t> passes;                   ///< of the submission, counted within a frame
   nlohmann::json patch = nlohmann::json::array(); ///< RFC 6902, of Comparison::tape's commands
-  /// It puts in draws of passes that the submission draws nothing in: whatever belongs to them can't
-  /// be seen.
+  /// It puts in draws with shaders that the submission draws nothing with in such passes: whatever
+  /// belongs to them can't be seen.
   bool isUnseen = false;
   /// Of a function or shader: the reference's lines that the submission's lacks.
   std::set<std::string> lacks{};
