@@ -169,19 +169,7 @@ private:
   void keepBetter(const results::Item& again) {
     const auto item = std::find_if(items_.begin(), items_.end(),
                                    [&](const results::Item& one) { return one.id == again.id; });
-    const double before = results::creditOf(item->kind, item->credits);
-    for (std::size_t i = 0; i < again.credits.size(); ++i)
-      for (std::size_t k = 0; k < item->credits.size(); ++k)
-        if (item->credits[k].scene == again.credits[i].scene &&
-            item->credits[k].credit < again.credits[i].credit) {
-          item->credits[k].credit = again.credits[i].credit;
-          item->messages[k] = again.messages[i];
-        }
-    const double credit = results::creditOf(item->kind, item->credits);
-    const double earned = rubric::pointsOf(item->kind, item->points, credit);
-    if (credit <= before || earned <= item->earned) return;
-    item->earned = earned;
-    item->message = worstMessage(*item);
+    if (!takeBetter(*item, again)) return;
     if (item->earned >= item->points) item->cause = item->step = "";
     item->carried.clear();
     for (const std::string& id : replaced_)
@@ -201,10 +189,22 @@ private:
 
 } // namespace
 
-std::string worstMessage(const results::Item& item) {
+bool takeBetter(results::Item& item, const results::Item& again) {
+  for (std::size_t i = 0; i < again.credits.size(); ++i)
+    for (std::size_t k = 0; k < item.credits.size(); ++k)
+      if (item.credits[k].scene == again.credits[i].scene &&
+          item.credits[k].credit < again.credits[i].credit) {
+        item.credits[k].credit = again.credits[i].credit;
+        item.messages[k] = again.messages[i];
+      }
+  const double earned =
+      rubric::pointsOf(item.kind, item.points, results::creditOf(item.kind, item.credits));
+  if (earned <= item.earned) return false;
+  item.earned = earned;
   const auto worst = std::ranges::min_element(item.credits, {}, &results::SceneCredit::credit);
-  return fmt::format("{}: {}", worst->scene,
-                     item.messages[std::size_t(worst - item.credits.begin())]);
+  item.message =
+      fmt::format("{}: {}", worst->scene, item.messages[std::size_t(worst - item.credits.begin())]);
+  return true;
 }
 
 int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned threads,

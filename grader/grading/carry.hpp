@@ -20,7 +20,8 @@ namespace ggrade::grading {
 int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned threads,
                  const std::function<void()>& begins, std::string& problem);
 
-/// What was seen in the item's worst scene, with the scene's name. The item has credits.
-std::string worstMessage(const results::Item& item);
+/// Takes from `again`, the same item judged once more, what is better, scene by scene. Did the item
+/// earn more by it? Then its message is that of the scene that is the worst now.
+bool takeBetter(results::Item& item, const results::Item& again);
 
 } // namespace ggrade::grading

@@ -483,7 +483,7 @@ void Grader::diagnose(Graded& graded) {
   const std::lock_guard lock(diagnosing_);
   try {
     const Agrees agrees = [&](const Mistake& mistake, const auto& causes) {
-      const std::set<repair::Unit> units = tapes_->unitsOf(mistake.patch);
+      const std::set<repair::Unit>& units = tapes_->unitsOf(mistake.patch);
       return std::ranges::any_of(causes, [&](const results::ProvedCause& cause) {
         return units.contains({cause.role, cause.unit});
       });

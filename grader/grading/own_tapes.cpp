@@ -21,6 +21,13 @@ struct NoTape : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// In one step.
+void keepText(std::string_view text, const fs::path& file) {
+  TemporaryFolder work(file.parent_path());
+  report::writeFile(work.path() / "text", text);
+  keep(work.path() / "text", file);
+}
+
 } // namespace
 
 OwnTapes::OwnTapes(const Target& target, fs::path solutionFolder, const References& references)
@@ -38,11 +45,8 @@ tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& sc
     if (!taped.happened.ok() || !taped.capture.tapeRefused.empty())
       throw NoTape("our own program has no tape: " + taped.happened.detail +
                    taped.capture.tapeRefused);
-    TemporaryFolder work(file.parent_path());
     const auto& bytes = taped.capture.tape;
-    report::writeFile(work.path() / "tape",
-                      {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-    keep(work.path() / "tape", file);
+    keepText({reinterpret_cast<const char*>(bytes.data()), bytes.size()}, file);
   }
   const std::string bytes = readFile(file);
   return tape::read(std::as_bytes(std::span(bytes)));
@@ -54,13 +58,6 @@ const tape::Tape& OwnTapes::reference(std::size_t scene) {
   if (found != reference_.end()) return found->second;
   return reference_.emplace(scene, record({solutionFolder_}, references_.scenes.at(scene)))
       .first->second;
-}
-
-void OwnTapes::learnOwners() {
-  const std::lock_guard lock(owners_);
-  if (learned_) return;
-  readOrLearn();
-  learned_ = true;
 }
 
 void OwnTapes::addStep(const std::string& todo, const repair::Comparison& before,
@@ -78,12 +75,11 @@ void OwnTapes::addStep(const std::string& todo, const repair::Comparison& before
   }
 }
 
-void OwnTapes::readOrLearn() {
+void OwnTapes::learnOwners() {
   const rubric::SceneFolders& scene = references_.scenes.at(0);
-  static const std::string tool = hashOf(readFile("/proc/self/exe"));
   const fs::path file =
       cacheFolder() / "owners" /
-      hashOf(tool + referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
+      hashOf(toolHash() + referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
   if (fs::exists(file)) {
     for (const json& one : readJson(file))
       changedBy_[{one.at("role"), one.at("unit")}] =
@@ -129,12 +125,12 @@ void OwnTapes::readOrLearn() {
   json kept = json::array();
   for (const auto& [unit, todos] : changedBy_)
     kept.push_back({{"role", unit.role}, {"unit", unit.name}, {"todos", todos}});
-  TemporaryFolder work(file.parent_path());
-  report::writeFile(work.path() / "owners", kept.dump());
-  keep(work.path() / "owners", file);
+  keepText(kept.dump(), file);
 }
 
-std::set<Unit> OwnTapes::unitsOf(const fs::path& patch) {
+const std::set<Unit>& OwnTapes::unitsOf(const fs::path& patch) {
+  const std::lock_guard lock(patches_);
+  if (const auto known = unitsOf_.find(patch); known != unitsOf_.end()) return known->second;
   std::set<Unit> units;
   try {
     const tape::Tape tape = record({solutionFolder_, {patch}}, references_.scenes.at(0));
@@ -142,11 +138,11 @@ std::set<Unit> OwnTapes::unitsOf(const fs::path& patch) {
       units.insert(one.unit);
   } catch (const NoTape&) {
   }
-  return units;
+  return unitsOf_.emplace(patch, std::move(units)).first->second;
 }
 
 std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
-  learnOwners();
+  std::call_once(learned_, [&] { learnOwners(); });
   const auto found = changedBy_.find(difference.unit);
   if (found == changedBy_.end()) return {};
   std::set<std::string> all, byLine;

@@ -28,12 +28,11 @@ public:
 
   /// What the solution with this patch differs in from the solution, in the first scene. Empty, if
   /// that program has no tape.
-  std::set<repair::Unit> unitsOf(const std::filesystem::path& patch);
+  const std::set<repair::Unit>& unitsOf(const std::filesystem::path& patch);
 
 private:
   tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene);
-  void learnOwners(); ///< once
-  void readOrLearn();
+  void learnOwners();
   /// What differs from the reference before a step and doesn't after it is this step's work.
   void addStep(const std::string& todo, const repair::Comparison& before,
                const repair::Comparison& after);
@@ -41,11 +40,12 @@ private:
   const Target& target_;
   const std::filesystem::path solutionFolder_;
   const References& references_;
-  std::mutex mutex_, owners_;
+  std::mutex mutex_, patches_;
   std::map<std::size_t, tape::Tape> reference_;
   /// TODOs, each with the lines that a function lacks without it.
   std::map<repair::Unit, std::map<std::string, std::set<std::string>>> changedBy_;
-  bool learned_ = false;
+  std::once_flag learned_;
+  std::map<std::filesystem::path, std::set<repair::Unit>> unitsOf_;
 };
 
 } // namespace ggrade::grading

@@ -1,7 +1,6 @@
 #include "grading/references.hpp"
 
 #include "grading/judge.hpp"
-#include "grading/repair.hpp"
 #include "report/picture.hpp"
 #include "report/write_file.hpp"
 
@@ -99,11 +98,15 @@ std::string referenceKey(const Target& target, const fs::path& solutionFolder) {
          programKey(target.assignment, target.assignment.folder) + identity(gradingRequest());
 }
 
+const std::string& toolHash() {
+  static const std::string hash = hashOf(readFile("/proc/self/exe"));
+  return hash;
+}
+
 std::string gradingKey(const Target& target, const fs::path& solutionFolder,
                        const ScenePlan& plan) {
-  static const std::string tool =
-      hashOf(readFile("/proc/self/exe")) + hashOf(readFile(judgeProgram()));
-  return tool + target.id + readJson(target.assignment.folder / "assignment.json").dump() +
+  static const std::string tools = toolHash() + hashOf(readFile(judgeProgram()));
+  return tools + target.id + readJson(target.assignment.folder / "assignment.json").dump() +
          referenceKey(target, solutionFolder) + describe(plan) + (repairs() ? " repairs" : "");
 }
 

@@ -27,6 +27,9 @@ struct References {
 /// programs.
 std::string referenceKey(const Target& target, const std::filesystem::path& solutionFolder);
 
+/// A hash of this very tool, for what depends on its code.
+const std::string& toolHash();
+
 /// What a grading's result depends on besides the submission: this very tool, its rubrics, the
 /// points, the reference, and the scenes.
 std::string gradingKey(const Target& target, const std::filesystem::path& solutionFolder,

@@ -6,7 +6,6 @@
 #include "grading/parallel.hpp"
 #include "grading/replay.hpp"
 #include "report/summary.hpp"
-#include "rubric/rubric.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -15,6 +14,7 @@
 #include <atomic>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace ggrade::grading {
 
@@ -45,21 +45,25 @@ struct NotRepaired : std::runtime_error {
 /// One scene of the submission, on a tape.
 struct TapedScene {
   std::size_t index;
-  channel::Capture drawn; ///< what the tape must draw, until that was seen
+  channel::Capture drawn; ///< by the program
   std::vector<std::byte> tape;
   std::vector<repair::Difference> differences;
-  std::uint64_t frameBytes = 0; ///< of copies of a frame's passes
-  double distance = 0;          ///< of what was drawn, see Drawn
+  double distance = 0;       ///< of what the program drew, see Drawn
+  bool isDrawnAgain = false; ///< was the tape seen to draw just that?
 };
 
 /// What was drawn with one patch.
 struct Drawn {
-  fs::path folder;      ///< as the judge wants it; empty: nothing came
-  bool changed = false; ///< is anything else than without the patch?
-  double distance = 0;  ///< of the last frame to the reference's
+  fs::path folder;                  ///< as the judge wants it; empty: nothing came
+  bool changed = false;             ///< is anything else than without the patch?
+  double distance = 0;              ///< of the last frame to the reference's
+  std::optional<bool> isRight = {}; ///< once that was asked
 };
 
-double distance(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+/// How far the last frame is from the reference's: the sum of what all channels differ by.
+double farOff(const channel::Capture& drawn, const rubric::SceneFolders& scene) {
+  const std::vector<rubric::RawFrame> wanted = rubric::readFrames(scene.reference);
+  const auto &a = drawn.frames.back().pixels, &b = wanted.back().pixels;
   if (a.size() != b.size()) return std::numeric_limits<double>::infinity();
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(int(a[i]) - int(b[i]));
@@ -134,40 +138,37 @@ private:
     const tape::Tape tape = tape::read(taped.capture.tape);
     taped.capture.tape.clear();
     repair::Comparison comparison = repair::compare(tape, own_.reference(index));
-    const std::uint64_t frameBytes = taped.capture.trace.pixels.size();
+    const double distance = farOff(taped.capture, scene);
     return {index, std::move(taped.capture), tape::write(comparison.tape),
-            std::move(comparison.differences), frameBytes};
+            std::move(comparison.differences), distance};
   }
 
   /// Draws a scene as each of these has it.
   std::vector<Drawn> draw(TapedScene& scene, const std::vector<std::vector<Unit>>& repaired) {
     const GradedScene& graded = graded_.scenes[scene.index];
-    std::vector<json> patches = {json::array()};
+    std::vector<json> patches;
     for (const std::vector<Unit>& units : repaired) patches.push_back(patchOf(scene, units));
-    const std::vector<channel::Capture> captures =
+    if (!scene.isDrawnAgain) patches.push_back(json::array());
+    std::vector<channel::Capture> captures =
         playEach(scene.tape, patches, graded.scene.at("size").get<std::vector<std::uint32_t>>(),
-                 graded.times, graded_.shaders, scene.frameBytes);
-    if (captures[0].frames.empty()) throw NotRepaired("it can't be drawn again");
-    if (!scene.drawn.frames.empty()) {
-      if (const std::string odd = differenceOf(scene.drawn, captures[0]); !odd.empty())
+                 graded.times, graded_.shaders, scene.drawn.trace.pixels.size());
+    if (!scene.isDrawnAgain) {
+      if (captures.back().frames.empty()) throw NotRepaired("it can't be drawn again");
+      if (const std::string odd = differenceOf(scene.drawn, captures.back()); !odd.empty())
         throw NotRepaired("it is not drawn again as it was: " + odd);
-      scene.drawn = {};
+      scene.isDrawnAgain = true;
+      captures.pop_back();
     }
-    const std::vector<rubric::RawFrame> wanted = rubric::readFrames(graded.reference);
-    const auto farOff = [&](const channel::Capture& capture) {
-      return distance(capture.frames.back().pixels, wanted.back().pixels);
-    };
-    scene.distance = farOff(captures[0]);
     std::vector<Drawn> all;
-    for (std::size_t i = 1; i < captures.size(); ++i) {
+    for (std::size_t i = 0; i < captures.size(); ++i) {
       Drawn& one = all.emplace_back();
       if (captures[i].frames.empty()) continue;
       one.folder = work_.path() / fmt::format("{}", folders_++);
       fs::create_directories(one.folder);
       trace::save(captures[i].trace, one.folder);
       rubric::writeFrames(one.folder, rawFrames(captures[i]));
-      one.changed = !differenceOf(captures[0], captures[i]).empty();
-      one.distance = farOff(captures[i]);
+      one.changed = !differenceOf(scene.drawn, captures[i]).empty();
+      one.distance = farOff(captures[i], graded);
     }
     return all;
   }
@@ -193,9 +194,12 @@ private:
     return patch;
   }
 
-  bool isRight(const TapedScene& scene, const Drawn& drawn) {
-    return !drawn.folder.empty() && drawn.changed &&
-           lossIn(judge({{scene.index, drawn.folder}}, lossy_), scene.index) <= free(scene.index);
+  bool isRight(const TapedScene& scene, Drawn& drawn) {
+    if (drawn.folder.empty() || !drawn.changed) return false;
+    if (!drawn.isRight)
+      drawn.isRight =
+          lossIn(judge({{scene.index, drawn.folder}}, lossy_), scene.index) <= free(scene.index);
+    return *drawn.isRight;
   }
 
   /// The smallest set that makes a scene right with what is repaired already: one unit, narrow
@@ -213,29 +217,36 @@ private:
         all.push_back(one.unit);
     if (all.empty()) return {};
     std::vector<std::vector<Unit>> levels(kWidths), tried;
+    const auto tryOut = [&](const std::vector<Unit>& units) { // once, however it came about
+      const auto known = std::ranges::find(tried, units);
+      if (known != tried.end()) return std::size_t(known - tried.begin());
+      tried.push_back(units);
+      return tried.size() - 1;
+    };
     for (int width = 0; width < kWidths; ++width)
       for (const Unit& unit : all)
         if (widthOf(unit.name) <= width && !isWithinWider(unit, all, width))
           levels[std::size_t(width)].push_back(unit);
-    for (const auto& level : levels) tried.push_back(with(level));
-    for (const Unit& unit : all) tried.push_back(with({unit}));
-    const std::vector<Drawn> drawn = draw(scene, tried);
+    std::vector<std::size_t> ofLevel, ofUnit; // in what was tried
+    for (const auto& level : levels) ofLevel.push_back(tryOut(with(level)));
+    for (const Unit& unit : all) ofUnit.push_back(tryOut(with({unit})));
+    std::vector<Drawn> drawn = draw(scene, tried);
     // What isn't right with all of them isn't right with fewer.
-    if (!isRight(scene, drawn[kWidths - 1])) return {};
+    if (!isRight(scene, drawn[ofLevel.back()])) return {};
     std::vector<std::size_t> order(all.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, {}, [&](std::size_t i) {
-      return std::pair(widthOf(all[i].name), drawn[kWidths + i].distance);
+      return std::pair(widthOf(all[i].name), drawn[ofUnit[i]].distance);
     });
     for (const std::size_t i : order) {
-      const Drawn& one = drawn[kWidths + i];
+      Drawn& one = drawn[ofUnit[i]];
       // Where the window is wrong, what makes all right brings it nearer.
       if (one.distance > scene.distance || (one.distance == scene.distance && one.distance > 0))
         continue;
       if (isRight(scene, one)) return {all[i]};
     }
     for (std::size_t width = 0; width < kWidths; ++width)
-      if (width + 1 == kWidths || isRight(scene, drawn[width]))
+      if (width + 1 == kWidths || isRight(scene, drawn[ofLevel[width]]))
         return withoutNeedless(scene, levels[width], already);
     return {};
   }
@@ -259,7 +270,7 @@ private:
     };
     std::vector<std::vector<Unit>> tried;
     for (const Unit& unit : set) tried.push_back(without({unit}));
-    const std::vector<Drawn> drawn = draw(scene, tried);
+    std::vector<Drawn> drawn = draw(scene, tried);
     std::vector<Unit> needless;
     for (std::size_t i = 0; i < set.size(); ++i)
       if (!drawn[i].changed || isRight(scene, drawn[i])) needless.push_back(set[i]);
@@ -268,9 +279,9 @@ private:
       std::vector<std::vector<Unit>> first; // without the first 1, 2, ... of them
       for (std::size_t i = 1; i <= needless.size(); ++i)
         first.push_back(without({needless.begin(), needless.begin() + std::ptrdiff_t(i)}));
-      const std::vector<Drawn> fewer = draw(scene, first);
-      const auto enough = std::ranges::partition_point(
-          fewer, [&](const Drawn& one) { return isRight(scene, one); });
+      std::vector<Drawn> fewer = draw(scene, first);
+      const auto enough =
+          std::ranges::partition_point(fewer, [&](Drawn& one) { return isRight(scene, one); });
       needless.resize(std::size_t(enough - fewer.begin()));
     }
     std::erase_if(
@@ -292,15 +303,18 @@ private:
       throw NotRepaired(fmt::format("it takes {} changes to make it right", found.size()));
     std::vector<ProvedCause> causes;
     for (const Unit& unit : found) {
-      const auto in = std::ranges::find_if(scenes_, [&](const TapedScene& scene) {
-        return std::ranges::find(scene.differences, unit, &repair::Difference::unit) !=
-               scene.differences.end();
-      });
-      const repair::Difference& one =
-          *std::ranges::find(in->differences, unit, &repair::Difference::unit);
+      const repair::Difference& one = differenceIn(unit);
       causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one), one.isUnseen});
     }
     return causes;
+  }
+
+  /// In the worst of the scenes that have it.
+  const repair::Difference& differenceIn(const Unit& unit) const {
+    for (const TapedScene& scene : scenes_)
+      for (const repair::Difference& one : scene.differences)
+        if (one.unit == unit) return one;
+    throw std::logic_error("a cause that no scene has: " + unit.name);
   }
 
   /// Each item keeps the better of what it had and what it has when all causes are repaired but
@@ -395,31 +409,12 @@ private:
   void keepBetter(const results::Item& again, const std::vector<ProvedCause>& causes) {
     const auto item = std::ranges::find(items_, again.id, &results::Item::id);
     if (item == items_.end() || !again.judged) return;
-    const double before = item->earned;
-    for (std::size_t i = 0; i < again.credits.size(); ++i)
-      for (std::size_t k = 0; k < item->credits.size(); ++k)
-        if (item->credits[k].scene == again.credits[i].scene && isTaped(again.credits[i].scene) &&
-            item->credits[k].credit < again.credits[i].credit) {
-          item->credits[k].credit = again.credits[i].credit;
-          item->messages[k] = again.messages[i];
-        }
-    item->earned =
-        rubric::pointsOf(item->kind, item->points, results::creditOf(item->kind, item->credits));
-    if (item->earned <= before) {
-      item->earned = before;
-      return;
-    }
+    if (!takeBetter(*item, again)) return; // scenes that weren't drawn again have no credit
     if (report::lost(*item) <= 0) item->cause = item->step = "";
-    item->message = worstMessage(*item);
     item->repaired.clear();
     for (const ProvedCause& cause : causes)
       if (!isWorkOf(cause, declared_.at(item->id), causes))
         item->repaired.push_back(diagnosis::nameOf(cause));
-  }
-
-  bool isTaped(const std::string& scene) const {
-    return std::ranges::any_of(
-        scenes_, [&](const TapedScene& one) { return graded_.scenes[one.index].name == scene; });
   }
 
   OwnTapes& own_;

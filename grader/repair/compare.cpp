@@ -77,20 +77,16 @@ public:
   Comparison run() {
     pairs_ = align(result_.tape.commands, reference_);
     mapImages();
-    const std::vector<Pass> passes = passesOf(result_.tape.commands);
-    std::map<std::size_t, const Pass*> passOf; // the submission's, by command
-    for (const Pass& pass : passes)
-      for (const std::size_t command : pass.commands) passOf[command] = &pass;
+    std::map<std::size_t, std::size_t> ordinals; // of the submission's passes, by command
+    for (const Pass& pass : passesOf(result_.tape.commands))
+      for (const std::size_t command : pass.commands) ordinals[command] = pass.ordinal;
     for (const PassPair& pair : pairs_) {
       role_ = roleOf(result_.tape.blobs, reference_, pair.other);
       order_.try_emplace(role_, pair.other.ordinal);
+      const auto shared = std::ranges::find_if(
+          pair.commands, [](const CommandPair& both) { return both.one && both.other; });
       first_ = std::nullopt;
-      for (const CommandPair& both : pair.commands) {
-        if (!both.one || !both.other) continue;
-        const Pass& pass = *passOf.at(*both.one);
-        if (!first_) first_ = pass.ordinal;
-        result_.roles[roleOf(result_.tape.blobs, result_.tape.commands, pass)].insert(role_);
-      }
+      if (shared != pair.commands.end()) first_ = ordinals.at(*shared->one);
       comparePass(pair);
     }
     for (auto& [unit, difference] : found_) {

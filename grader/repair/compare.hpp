@@ -34,8 +34,6 @@ struct Comparison {
   tape::Tape tape; ///< the submission's, with blobs and images that patches name
   std::vector<Difference> differences; ///< narrow ones first
   std::set<Unit> compared;             ///< units that both have, different or not
-  /// Of the submission's passes: those of the reference's that do the same.
-  std::map<std::string, std::set<std::string>> roles;
 };
 
 /// Units by how much they replace, from 0 on: values and functions; what is drawn, and into what;
