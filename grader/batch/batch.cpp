@@ -162,7 +162,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   if (options.draw.seed)
     pool.worker.insert(pool.worker.end(), {"--seed", std::to_string(*options.draw.seed)});
   if (!options.diagnosis) pool.worker.push_back("--no-diagnosis");
-  if (grading::repairs()) pool.worker.push_back("--repair");
+  if (!grading::repairs()) pool.worker.push_back("--no-repair");
   if (grading::isolation() == sandbox::Isolation::none)
     pool.worker.insert(pool.worker.end(), {"--sandbox", "none"});
   // Who reads the class page must find everybody. What can't even be written now is done by

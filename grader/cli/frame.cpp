@@ -256,10 +256,11 @@ int runCommands(int argc, char** argv, const std::vector<AddCommand>& commands) 
 }
 
 void declareRepair(CLI::App& app) {
-  app.add_flag("--repair", grading::repairs(),
-               "Find out what was wrong by drawing a submission again with one thing of the "
-               "reference's after the other, and count each fault once (some seconds more for who "
-               "lost points)");
+  app.add_flag_callback(
+      "--no-repair", [] { grading::repairs() = false; },
+      "Don't draw submissions that lost points again with one thing of the reference's "
+      "after the other: some seconds less for each, but a fault may cost more than its "
+      "step, and what was wrong is only likely");
 }
 
 } // namespace ggrade::cli

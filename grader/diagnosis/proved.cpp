@@ -24,6 +24,13 @@ std::string shaderOf(const std::string& stage) {
   return stage == "vertex" ? say("the vertex shader") : say("the fragment shader");
 }
 
+/// "5, 6, 7": passes as they are counted for people.
+std::string numbersOf(const std::set<std::size_t>& passes) {
+  std::vector<std::size_t> numbers;
+  for (const std::size_t pass : passes) numbers.push_back(pass + 1);
+  return fmt::to_string(fmt::join(numbers, ", "));
+}
+
 } // namespace
 
 std::string nameOf(const results::ProvedCause& cause) {
@@ -55,31 +62,37 @@ std::string nameOf(const results::ProvedCause& cause) {
 }
 
 std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
-  std::string list = nameOf(causes[0]);
-  for (std::size_t i = 1; i < causes.size(); ++i)
-    list = i + 1 < causes.size() ? say("{}, {}", list, nameOf(causes[i]))
-                                 : say("{} and {}", list, nameOf(causes[i]));
-  // Named where all of them are in the same passes.
+  // Passes are named once where all causes are in the same.
   const std::set<std::size_t>& passes = causes[0].passes;
-  const bool named =
+  const bool together =
       !passes.empty() && std::ranges::all_of(causes, [&](const results::ProvedCause& cause) {
         return cause.passes == passes;
       });
-  std::vector<std::size_t> numbers;
-  for (const std::size_t pass : passes) numbers.push_back(pass + 1);
+  const auto named = [&](const results::ProvedCause& cause) {
+    if (together || cause.passes.empty()) return nameOf(cause);
+    return cause.passes.size() == 1
+               ? say("{} in pass {}", nameOf(cause), *cause.passes.begin() + 1)
+               : say("{} in the passes {}", nameOf(cause), numbersOf(cause.passes));
+  };
+  std::string list = named(causes[0]);
+  for (std::size_t i = 1; i < causes.size(); ++i)
+    list = i + 1 < causes.size() ? say("{}, {}", list, named(causes[i]))
+                                 : say("{} and {}", list, named(causes[i]));
   std::string text =
-      !named ? say("Proved by drawing it again: with nothing changed but this, all is right: {}.",
-                   list)
-      : numbers.size() == 1 ? say("Proved by drawing it again: with nothing changed but this in "
-                                  "pass {}, all is right: {}.",
-                                  numbers[0], list)
-                            : say("Proved by drawing it again: with nothing changed but this in "
-                                  "the passes {}, all is right: {}.",
-                                  fmt::to_string(fmt::join(numbers, ", ")), list);
+      !together
+          ? say("Proved by drawing it again: with nothing changed but this, all is right: {}.",
+                list)
+      : passes.size() == 1 ? say("Proved by drawing it again: with nothing changed but this in "
+                                 "pass {}, all is right: {}.",
+                                 *passes.begin() + 1, list)
+                           : say("Proved by drawing it again: with nothing changed but this in "
+                                 "the passes {}, all is right: {}.",
+                                 numbersOf(passes), list);
   if (causes[0].todos.empty())
-    text +=
-        ' ' + say("The handed-out program has it right: a call of yours changes it, and doesn't "
-                  "put it back.");
+    text += ' ' + (causes[0].unit.starts_with("function ") || causes[0].unit.starts_with("shader ")
+                       ? say("The handed-out program has it right: a line of it was changed.")
+                       : say("The handed-out program has it right: a call of yours changes it, and "
+                             "doesn't put it back."));
   return text;
 }
 

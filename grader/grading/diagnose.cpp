@@ -184,7 +184,7 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
   std::vector<Diagnosis> all;
   for (const Part& part : target.parts) {
     const std::vector<std::string> lost =
-        lostItems(graded.asDrawn.empty() ? result.items : graded.asDrawn, part);
+        lostItems(result.asDrawn.empty() ? result.items : result.asDrawn, part);
     if (lost.empty()) continue;
     // Seen, not concluded: no picture can be surer. That OpenGL reports errors says little.
     if (observed && observed->id != results::name(results::Outcome::glError)) {

@@ -443,7 +443,7 @@ void Grader::judge(Graded& graded) {
                                     graded.work->path(), problem);
   }
   if (problem.empty() && options_.repair && isWorthRepair(result)) {
-    graded.asDrawn = result.items;
+    result.asDrawn = result.items;
     const Stopwatch time(result, "repair");
     options_.begins(Runs::hidden);
     std::call_once(taped_, [&] { tapes_.emplace(target_, solutionFolder_, references()); });

@@ -36,7 +36,6 @@ struct Graded {
   std::vector<GradedScene> scenes;    ///< the public one first; none where it wasn't built
   std::optional<Rendering> again;     ///< the public scene's second run
   diagnosis::Facts facts;             ///< of the first scene
-  std::vector<results::Item> asDrawn; ///< the items as they were before repair; empty: as they are
   ShaderCache shaders;                ///< what the program has compiled
   std::unique_ptr<TemporaryFolder> work;
 

@@ -71,7 +71,9 @@ void OwnTapes::addStep(const std::string& todo, const repair::Comparison& before
         one.lacks, std::inserter(added, added.end()),
         [&](const std::string& line) { return isGone || !still->lacks.contains(line); });
     if (!isGone && added.empty()) continue;
-    changedBy_[one.unit][todo].insert(added.begin(), added.end());
+    Share& share = changedBy_[one.unit][todo];
+    share.lines.insert(added.begin(), added.end());
+    share.shaders.insert(one.shaders.begin(), one.shaders.end());
   }
 }
 
@@ -82,8 +84,8 @@ void OwnTapes::learnOwners() {
       hashOf(toolHash() + referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
   if (fs::exists(file)) {
     for (const json& one : readJson(file))
-      changedBy_[{one.at("role"), one.at("unit")}] =
-          one.at("todos").get<std::map<std::string, std::set<std::string>>>();
+      changedBy_[{one.at("role"), one.at("unit")}][one.at("todo")] = {one.at("lines"),
+                                                                      one.at("shaders")};
     return;
   }
   const tape::Tape& right = reference(0);
@@ -101,7 +103,11 @@ void OwnTapes::learnOwners() {
       const tape::Tape tape = record({solutionFolder_, {}, others}, scene);
       for (const repair::Difference& one : repair::compare(tape, right).differences)
         if (!one.passes.empty() || one.unit.name == "draws") // or the whole pass
-          changedBy_[one.unit][todo].insert(one.lacks.begin(), one.lacks.end());
+        {
+          Share& share = changedBy_[one.unit][todo];
+          share.lines.insert(one.lacks.begin(), one.lacks.end());
+          share.shaders.insert(one.shaders.begin(), one.shaders.end());
+        }
     } catch (const NoTape&) {
       neededLater.insert(todo);
     }
@@ -118,13 +124,19 @@ void OwnTapes::learnOwners() {
       repair::Comparison after =
           repair::compare(record({solutionFolder_, {}, filled}, scene), right);
       if (neededLater.contains(todo.id)) addStep(todo.id, before, after);
-      for (const Unit& unit : after.compared)
-        if (!before.compared.contains(unit) && !known.contains(unit)) changedBy_[unit][todo.id];
+      for (const auto& [unit, shaders] : after.compared)
+        if (!before.compared.contains(unit) && !known.contains(unit))
+          changedBy_[unit][todo.id].shaders = shaders;
       before = std::move(after);
     }
   json kept = json::array();
   for (const auto& [unit, todos] : changedBy_)
-    kept.push_back({{"role", unit.role}, {"unit", unit.name}, {"todos", todos}});
+    for (const auto& [todo, share] : todos)
+      kept.push_back({{"role", unit.role},
+                      {"unit", unit.name},
+                      {"todo", todo},
+                      {"lines", share.lines},
+                      {"shaders", share.shaders}});
   keepText(kept.dump(), file);
 }
 
@@ -146,13 +158,47 @@ std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
   const auto found = changedBy_.find(difference.unit);
   if (found == changedBy_.end()) return {};
   std::set<std::string> all, byLine;
-  for (const auto& [todo, lines] : found->second) {
+  for (const auto& [todo, share] : found->second) {
     all.insert(todo);
     if (std::ranges::any_of(
-            lines, [&](const std::string& line) { return difference.lacks.contains(line); }))
+            share.lines, [&](const std::string& line) { return difference.lacks.contains(line); }))
       byLine.insert(todo);
   }
-  return byLine.empty() ? all : byLine;
+  // Lines that lack and are no TODO's were handed out.
+  return byLine.empty() && difference.lacks.empty() ? all : byLine;
+}
+
+std::set<std::string> OwnTapes::missingIn(const repair::Difference& difference,
+                                          const repair::UnitsInDraws& compared) {
+  std::set<std::string> missing;
+  if (difference.isUnseen) missing = ownersOf(difference);
+  std::call_once(learned_, [&] { learnOwners(); });
+  if (const auto own = changedBy_.find(difference.unit); own != changedBy_.end())
+    for (const auto& [todo, share] : own->second)
+      if (!share.lines.empty() && !difference.adds &&
+          std::ranges::includes(difference.lacks, share.lines))
+        missing.insert(todo);
+  if (difference.isUnseen || difference.unit.name.starts_with("shader "))
+    missing.merge(broughtWith(difference.unit.role, compared));
+  return missing;
+}
+
+std::set<std::string> OwnTapes::broughtWith(const std::string& role,
+                                            const repair::UnitsInDraws& compared) const {
+  std::set<std::string> brought, seen;
+  for (const auto& [unit, todos] : changedBy_) {
+    const auto both = compared.find(unit);
+    for (const auto& [todo, share] : todos)
+      if (both != compared.end() &&
+          std::ranges::any_of(share.shaders, [&](const std::string& shaders) {
+            return both->second.contains(shaders);
+          }))
+        seen.insert(todo);
+      else if (unit.role == role)
+        brought.insert(todo);
+  }
+  for (const std::string& todo : seen) brought.erase(todo);
+  return brought;
 }
 
 } // namespace ggrade::grading

@@ -23,8 +23,14 @@ public:
 
   /// The TODOs whose work it is: those without which the solution alone has another unit (of a
   /// function: one that lacks a line that this one lacks, too), or the step of the handout with
-  /// which it comes. None: it is there and right from the start.
+  /// which it comes. None: it is there and right from the start; so are lines that no TODO adds.
   std::set<std::string> ownersOf(const repair::Difference& difference);
+
+  /// The TODOs of whose work the submission has nothing that could be judged where this is put
+  /// right: because it isn't there, or comes with the reference's draws and shaders.
+  /// \param compared units that both have
+  std::set<std::string> missingIn(const repair::Difference& difference,
+                                  const repair::UnitsInDraws& compared);
 
   /// What the solution with this patch differs in from the solution, in the first scene. Empty, if
   /// that program has no tape.
@@ -33,6 +39,9 @@ public:
 private:
   tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene);
   void learnOwners();
+  /// Of the passes of a role, what the submission has nowhere.
+  std::set<std::string> broughtWith(const std::string& role,
+                                    const repair::UnitsInDraws& compared) const;
   /// What differs from the reference before a step and doesn't after it is this step's work.
   void addStep(const std::string& todo, const repair::Comparison& before,
                const repair::Comparison& after);
@@ -42,8 +51,12 @@ private:
   const References& references_;
   std::mutex mutex_, patches_;
   std::map<std::size_t, tape::Tape> reference_;
-  /// TODOs, each with the lines that a function lacks without it.
-  std::map<repair::Unit, std::map<std::string, std::set<std::string>>> changedBy_;
+  /// What a unit lacks without a TODO.
+  struct Share {
+    std::set<std::string> lines;   ///< of a function
+    std::set<std::string> shaders; ///< of the draws in which it is another
+  };
+  std::map<repair::Unit, std::map<std::string, Share>> changedBy_;
   std::once_flag learned_;
   std::map<std::filesystem::path, std::set<repair::Unit>> unitsOf_;
 };

@@ -195,7 +195,7 @@ sandbox::Isolation& isolation() {
 }
 
 bool& repairs() {
-  static bool on = false;
+  static bool on = true;
   return on;
 }
 

@@ -11,7 +11,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <numeric>
 #include <optional>
@@ -48,13 +47,15 @@ struct TapedScene {
   channel::Capture drawn; ///< by the program
   std::vector<std::byte> tape;
   std::vector<repair::Difference> differences;
+  repair::UnitsInDraws compared;
   double distance = 0;       ///< of what the program drew, see Drawn
   bool isDrawnAgain = false; ///< was the tape seen to draw just that?
 };
 
 /// What was drawn with one patch.
 struct Drawn {
-  fs::path folder;                  ///< as the judge wants it; empty: nothing came
+  /// As the judge wants it; nothing: no frame came.
+  std::shared_ptr<TemporaryFolder> folder;
   bool changed = false;             ///< is anything else than without the patch?
   double distance = 0;              ///< of the last frame to the reference's
   std::optional<bool> isRight = {}; ///< once that was asked
@@ -87,8 +88,7 @@ public:
     scenes_.push_back(record(scenes[0]));
     std::vector<Unit> found = search(0, {});
     if (found.empty()) throw NotRepaired("the passes' differences don't explain it");
-    if (const auto causes = causesOf(found); lossy_.size() == 1 || areUnfinished(causes))
-      return causes;
+    if (lossy_.size() == 1) return causesOf(found);
     scenes_.resize(scenes.size());
     inParallel(scenes.size() - 1, threads_,
                [&](std::size_t i) { scenes_[i + 1] = record(scenes[i + 1]); });
@@ -139,8 +139,12 @@ private:
     taped.capture.tape.clear();
     repair::Comparison comparison = repair::compare(tape, own_.reference(index));
     const double distance = farOff(taped.capture, scene);
-    return {index, std::move(taped.capture), tape::write(comparison.tape),
-            std::move(comparison.differences), distance};
+    return {index,
+            std::move(taped.capture),
+            tape::write(comparison.tape),
+            std::move(comparison.differences),
+            std::move(comparison.compared),
+            distance};
   }
 
   /// Draws a scene as each of these has it.
@@ -163,10 +167,9 @@ private:
     for (std::size_t i = 0; i < captures.size(); ++i) {
       Drawn& one = all.emplace_back();
       if (captures[i].frames.empty()) continue;
-      one.folder = work_.path() / fmt::format("{}", folders_++);
-      fs::create_directories(one.folder);
-      trace::save(captures[i].trace, one.folder);
-      rubric::writeFrames(one.folder, rawFrames(captures[i]));
+      one.folder = std::make_shared<TemporaryFolder>(work_.path());
+      trace::save(captures[i].trace, one.folder->path());
+      rubric::writeFrames(one.folder->path(), rawFrames(captures[i]));
       one.changed = !differenceOf(scene.drawn, captures[i]).empty();
       one.distance = farOff(captures[i], graded);
     }
@@ -195,10 +198,10 @@ private:
   }
 
   bool isRight(const TapedScene& scene, Drawn& drawn) {
-    if (drawn.folder.empty() || !drawn.changed) return false;
+    if (!drawn.folder || !drawn.changed) return false;
     if (!drawn.isRight)
-      drawn.isRight =
-          lossIn(judge({{scene.index, drawn.folder}}, lossy_), scene.index) <= free(scene.index);
+      drawn.isRight = lossIn(judge({{scene.index, drawn.folder->path()}}, lossy_), scene.index) <=
+                      free(scene.index);
     return *drawn.isRight;
   }
 
@@ -302,18 +305,20 @@ private:
     if (found.size() > kMostCauses)
       throw NotRepaired(fmt::format("it takes {} changes to make it right", found.size()));
     std::vector<ProvedCause> causes;
+    missing_.clear();
     for (const Unit& unit : found) {
-      const repair::Difference& one = differenceIn(unit);
+      const auto& [scene, one] = differenceIn(unit);
       causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one), one.isUnseen});
+      missing_.merge(own_.missingIn(one, scene.compared));
     }
     return causes;
   }
 
   /// In the worst of the scenes that have it.
-  const repair::Difference& differenceIn(const Unit& unit) const {
+  std::pair<const TapedScene&, const repair::Difference&> differenceIn(const Unit& unit) const {
     for (const TapedScene& scene : scenes_)
       for (const repair::Difference& one : scene.differences)
-        if (one.unit == unit) return one;
+        if (one.unit == unit) return {scene, one};
     throw std::logic_error("a cause that no scene has: " + unit.name);
   }
 
@@ -321,10 +326,12 @@ private:
   /// those that are its own work. False: a scene needs more than `found`, which now has that, too.
   bool settle(std::vector<Unit>& found) {
     const std::vector<ProvedCause> causes = causesOf(found);
-    if (areUnfinished(causes)) return true;
     std::map<std::vector<Unit>, std::vector<std::string>> byRepaired; // what is repaired: for whom
     for (const results::Item& item : items_) {
-      if (report::lost(item) <= 0) continue;
+      // Of work that isn't there, what the reference's in its place shows says nothing.
+      if (report::lost(item) <= 0 ||
+          (item.kind != results::ItemKind::keep && missing_.contains(declared_.at(item.id).step)))
+        continue;
       std::vector<Unit> repaired;
       for (std::size_t i = 0; i < causes.size(); ++i)
         if (!isWorkOf(causes[i], declared_.at(item.id), causes)) repaired.push_back(found[i]);
@@ -338,7 +345,8 @@ private:
     const auto judged = [&](std::size_t variant, const std::vector<std::string>& items) {
       std::map<std::size_t, fs::path> folders;
       for (std::size_t i = 0; i < scenes_.size(); ++i)
-        folders[scenes_[i].index] = drawn[i][variant].folder;
+        if (const auto& folder = drawn[i][variant].folder)
+          folders[scenes_[i].index] = folder->path();
       return judge(folders, items);
     };
     if (const std::vector<Unit> more = searchOthers(judged(0, lossy_), found); !more.empty()) {
@@ -425,8 +433,8 @@ private:
   std::map<std::string, ItemDeclaration> declared_;
   std::vector<std::string> lossy_; ///< items that lost points, but the bonus
   std::vector<TapedScene> scenes_; ///< the worst one first
+  std::set<std::string> missing_;  ///< TODOs of whose work there is nothing to judge
   TemporaryFolder work_;
-  std::atomic<int> folders_ = 0;
 };
 
 } // namespace

@@ -126,21 +126,23 @@ std::vector<Pass> passesOf(const json& commands) {
   return passes;
 }
 
+std::string shadersOf(const std::vector<std::vector<std::byte>>& blobs, const json& command) {
+  std::string shaders;
+  if (command.contains("program"))
+    for (const json& stage : command["program"].at("stages")) {
+      const auto& source = blobs.at(stage.at("blob").get<std::size_t>());
+      shaders +=
+          fmt::format(" {:x}", std::hash<std::string_view>()(
+                                   {reinterpret_cast<const char*>(source.data()), source.size()}));
+    }
+  return shaders;
+}
+
 std::string roleOf(const std::vector<std::vector<std::byte>>& blobs, const json& commands,
                    const Pass& pass) {
   std::set<std::string> parts;
-  for (const std::size_t i : pass.commands) {
-    const json& command = commands[i];
-    std::string part = command.at("op");
-    if (command.contains("program"))
-      for (const json& stage : command["program"].at("stages")) {
-        const auto& source = blobs.at(stage.at("blob").get<std::size_t>());
-        part += fmt::format(" {:x}",
-                            std::hash<std::string_view>()(
-                                {reinterpret_cast<const char*>(source.data()), source.size()}));
-      }
-    parts.insert(part);
-  }
+  for (const std::size_t i : pass.commands)
+    parts.insert(commands[i].at("op").get<std::string>() + shadersOf(blobs, commands[i]));
   if (parts.size() > 1) parts.erase("clear"); // cleared by itself or with the rest
   return fmt::format("{}: {}", placeOf(commands[pass.commands.front()]), fmt::join(parts, ", "));
 }

@@ -21,6 +21,10 @@ struct Pass {
 /// The passes of a tape's commands, in order.
 std::vector<Pass> passesOf(const nlohmann::json& commands);
 
+/// The shaders that a command draws with, as one word; empty: it doesn't draw.
+std::string shadersOf(const std::vector<std::vector<std::byte>>& blobs,
+                      const nlohmann::json& command);
+
 /// Passes have the same role, in this scene and in others, that draw with the same shaders into the
 /// same kind of place: all steps down a pyramid, say.
 std::string roleOf(const std::vector<std::vector<std::byte>>& blobs, const nlohmann::json& commands,

@@ -167,14 +167,19 @@ private:
     same_ = std::move(same);
   }
 
+  void note(const std::string& unit) {
+    if (first_) result_.compared[{role_, unit}].insert(shaders_);
+  }
+
   void patch(const std::string& unit, const std::string& path, const json& value) {
-    if (first_) result_.compared.insert({role_, unit});
+    note(unit);
     const json* at = nullptr;
     const json::json_pointer where(path);
     if (result_.tape.commands.contains(where)) at = &result_.tape.commands.at(where);
     if (at && *at == value) return;
     Difference& difference = found_[{role_, unit}];
     difference.unit = {role_, unit};
+    difference.shaders.insert(shaders_);
     if (first_) difference.passes.insert(*first_);
     difference.patch.push_back({{"op", at ? "replace" : "add"}, {"path", path}, {"value", value}});
   }
@@ -195,7 +200,8 @@ private:
   void compareTarget(std::size_t i, const json& theirs) {
     const bool isWindow = result_.tape.commands[i].at("target").contains("window");
     const bool isSame = isWindow == theirs.at("target").contains("window");
-    for (const char* unit : {"attachments", "framebuffer"}) result_.compared.insert({role_, unit});
+    note("framebuffer");
+    if (isSame) note("attachments");
     patch(isSame ? "attachments" : "framebuffer", pointer({std::to_string(i), "target"}),
           theirs["target"]);
     if (theirs["target"].contains("window")) return;
@@ -237,13 +243,15 @@ private:
       if (stages[k].at("stage") != wanted[k].at("stage")) return;
       const std::size_t a = stages[k].at("blob"), b = wanted[k].at("blob");
       const std::string stage = wanted[k].at("stage");
-      result_.compared.insert({role_, "shader " + stage});
+      note("shader " + stage);
       const std::string source = textOf(result_.tape.blobs.at(a)),
                         right = textOf(result_.tape.blobs.at(b));
       const auto functions = functionsOf(source), rightOnes = functionsOf(right);
       const std::string path = pointer({at, "program", "stages", std::to_string(k), "blob"});
       bool differs = restOf(source) != restOf(right) || functions.size() != rightOnes.size();
       std::set<std::string> lacksInAll;
+      bool addsInAll = std::ranges::any_of(
+          functions, [&](const auto& one) { return !rightOnes.contains(one.first); });
       for (const auto& [name, function] : rightOnes) {
         const auto found = functions.find(name);
         if (found == functions.end()) {
@@ -251,13 +259,15 @@ private:
           continue;
         }
         const std::string unit = "function " + name + " in " + stage;
-        result_.compared.insert({role_, unit});
+        note(unit);
         if (found->second.words == function.words) continue;
         differs = true;
-        auto& lacks = found_[{role_, unit}].lacks;
+        Difference& difference = found_[{role_, unit}];
         std::ranges::set_difference(function.lines, found->second.lines,
-                                    std::inserter(lacks, lacks.end()));
-        lacksInAll.insert(lacks.begin(), lacks.end());
+                                    std::inserter(difference.lacks, difference.lacks.end()));
+        lacksInAll.insert(difference.lacks.begin(), difference.lacks.end());
+        difference.adds |= !std::ranges::includes(function.lines, found->second.lines);
+        addsInAll |= difference.adds;
         std::string changed = source;
         changed.replace(found->second.begin, found->second.end - found->second.begin,
                         right.substr(function.begin, function.end - function.begin));
@@ -267,6 +277,7 @@ private:
       const std::string unit = "shader " + stage;
       patch(unit, path, b);
       found_[{role_, unit}].lacks.merge(lacksInAll);
+      found_[{role_, unit}].adds |= addsInAll;
       for (const char* key : {"uniforms", "textures", "blocks"})
         for (const auto& [name, value] : theirs.at(key).items())
           if (!own.at(key).contains(name)) patch(unit, pointer({at, key, name}), value);
@@ -313,6 +324,7 @@ private:
         onlyClears = onlyClears && command.at("op") == "clear";
         continue;
       }
+      shaders_ = shadersOf(result_.tape.blobs, command);
       const std::size_t i = *both.one;
       if (command.contains("target")) compareTarget(i, command);
       if (command.contains("state") && command["state"].contains("viewport"))
@@ -324,8 +336,8 @@ private:
         compareClear(i, command);
       }
     }
-    if (first_)
-      for (const char* unit : {"draws", "clear"}) result_.compared.insert({role_, unit});
+    shaders_.clear();
+    for (const char* unit : {"draws", "clear"}) note(unit);
     for (const CommandPair& both : pair.commands) {
       const std::string unit = onlyClears ? "clear" : "draws";
       if (!both.one && both.before)
@@ -345,6 +357,7 @@ private:
   std::map<std::uint64_t, std::uint64_t> same_;
   std::string role_;                 ///< of the pass that is being compared
   std::optional<std::size_t> first_; ///< its ordinal in the submission
+  std::string shaders_;              ///< of the draw that is being compared
   std::map<Unit, Difference> found_;
   std::set<std::pair<std::string, json>> drawn_; ///< roles, and the shaders that both draw with
   std::map<Unit, std::set<json>> putIn_;         ///< the shaders of draws that lack

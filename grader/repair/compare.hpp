@@ -23,17 +23,21 @@ struct Difference {
   Unit unit;
   std::set<std::size_t> passes;                   ///< of the submission, counted within a frame
   nlohmann::json patch = nlohmann::json::array(); ///< RFC 6902, of Comparison::tape's commands
-  /// It puts in draws with shaders that the submission draws nothing with in such passes: whatever
-  /// belongs to them can't be seen.
+  /// It puts in draws with shaders that the submission draws nothing with in such passes.
   bool isUnseen = false;
   /// Of a function or shader: the reference's lines that the submission's lacks.
   std::set<std::string> lacks{};
+  bool adds = false;               ///< and has the submission's lines that the reference's lacks?
+  std::set<std::string> shaders{}; ///< of the reference's draws that it is of, see shadersOf
 };
+
+/// Units, and the shaders of the reference's draws that have them.
+using UnitsInDraws = std::map<Unit, std::set<std::string>>;
 
 struct Comparison {
   tape::Tape tape; ///< the submission's, with blobs and images that patches name
   std::vector<Difference> differences; ///< narrow ones first
-  std::set<Unit> compared;             ///< units that both have, different or not
+  UnitsInDraws compared;               ///< that both have, different or not
 };
 
 /// Units by how much they replace, from 0 on: values and functions; what is drawn, and into what;

@@ -158,6 +158,7 @@ struct Result {
   double bonus = 0;
   double maxScore = 0;
   std::vector<Item> items;
+  std::vector<Item> asDrawn;       ///< before each fault was counted once; empty: as they are
   std::vector<ProvedCause> causes; ///< what each fault costs was counted by them
   std::string causesSought; ///< why there are none although points were lost, for the instructor
   std::vector<Diagnosis> diagnoses; ///< at most one a part; none where nothing was lost

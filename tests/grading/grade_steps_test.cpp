@@ -26,11 +26,11 @@ struct Way {
 };
 
 const std::map<std::string, Way> kWays = {
-    // Points come with the steps that the rubric can see: sampling an empty texture is worth
-    // nothing, the mirrored objects are, inside out or not. A map that nobody asks is none.
-    {"mirror", {{0, 0, 0, 0, 50, 85, 100, 100}, {1, 2}}},
-    {"shadow", {{0, 0, 0, 0, 100, 100, 100}, {1, 2, 3}}},
-    {"bloom", {{0, 0, 10, 17, 35, 55, 70, 100}, {1, 3, 4, 5, 6}}}};
+    // Each step's points come with it, if its work can be seen then: a framebuffer object into which
+    // nothing is drawn can't, nor can a matrix with which nothing is.
+    {"mirror", {{0, 0, 15, 35, 65, 85, 100, 100}, {1, 2}}},
+    {"shadow", {{0, 0, 0, 30, 100, 100, 100}, {1, 2, 3}}},
+    {"bloom", {{0, 0, 10, 27, 45, 65, 80, 100}, {1, 3, 4, 5, 6}}}};
 
 double pointsOf(const ggrade::Part& part, ggrade::results::ItemKind kind) {
   double sum = 0;
@@ -107,7 +107,8 @@ TEST_P(Step, IsGradedAndEarnsAndShowsWhatTheHandoutSays) {
     const std::vector<double> scores = way().scores;
     // Where only the last score is known, the way there is seen in the public scene.
     const bool everywhere = !scores.empty() || k == 0 || k >= required;
-    const Graded graded = grader_.grade(built, {}, everywhere ? std::size_t(-1) : 1);
+    const Graded graded =
+        grader_.grade(built, {.repair = true}, everywhere ? std::size_t(-1) : 1);
     ASSERT_EQ(graded.outcome(), "graded"); // neither gl_error nor no_frame
     if (scores.empty())
       EXPECT_GE(graded.score(), score);

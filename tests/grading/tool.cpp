@@ -288,10 +288,11 @@ Grader::Grader(const std::string& id, const grading::Draw& draw)
       references_(grading::prepareReferences(target_, solutions_, plan_, quietly)) {}
 
 grading::Grader& Grader::grader(const How& how) {
-  std::unique_ptr<grading::Grader>& kept = how.pictures ? withPictures_ : plain_;
+  std::unique_ptr<grading::Grader>& kept = graders_[{how.pictures, how.repair}];
   if (!kept) {
     grading::GraderOptions options;
     options.pictures = options.twice = how.pictures;
+    options.repair = how.repair;
     options.many = true;
     kept = std::make_unique<grading::Grader>(target_, solutions_, plan_, std::move(options),
                                              references_);
@@ -320,7 +321,7 @@ Graded Grader::grade(const grading::Built& built, const How& how, std::size_t sc
 
 const Graded& Grader::grade(const fs::path& folder, const How& how, std::size_t scenes) {
   std::string key = std::to_string(std::min(scenes, plan_.scenes.size()));
-  for (const bool flag : {how.solution, how.pictures, how.diagnosis}) key += flag ? '1' : '0';
+  for (const bool flag : {how.solution, how.pictures, how.diagnosis, how.repair}) key += flag ? '1' : '0';
   for (const std::string& name : names(folder))
     key += name + ' ' +
            (fs::is_regular_file(folder / name) ? grading::hashOf(read(folder / name)) : "") + '\n';
@@ -399,7 +400,7 @@ Graded gradeCatalogued(const Catalogued& one, bool allScenes) {
   const TemporaryFolder files;
   const fs::path upload = files.path() / one.program.name;
   grading::writeFiles(grader.target().assignment, one.program.recipe, upload);
-  const Graded graded = grader.grade(upload, {}, count);
+  const Graded graded = grader.grade(upload, {.repair = true}, count);
   const auto verdicts =
       calibration::judge(one.part, grader.target().items(),
                          {{one.program, {calibration::scoreOf(graded.result)}, ""}});

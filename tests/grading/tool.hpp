@@ -122,6 +122,7 @@ struct How {
   /// same again.
   bool pictures = false;
   bool diagnosis = false; ///< what of it is about the public scene needs the pictures, too
+  bool repair = false;    ///< is each fault counted once? Else the rubric's word alone
   ggrade::grading::Draw draw{};
 };
 
@@ -152,7 +153,7 @@ private:
   fs::path solutions_;
   ggrade::grading::ScenePlan plan_;
   ggrade::grading::References references_;
-  std::unique_ptr<ggrade::grading::Grader> plain_, withPictures_;
+  std::map<std::pair<bool, bool>, std::unique_ptr<ggrade::grading::Grader>> graders_;
   std::map<std::string, Graded> graded_; ///< by files and how
 };
 

@@ -31,7 +31,11 @@ TEST(Proved, SaysWhereAndWhatWasSpoiled) {
       sentenceOf(
           {{{0}, "", "clear", {"a.1"}}, {{1}, "", "depth", {"a.2"}}, {{1}, "", "blend", {"a.2"}}}),
       "Proved by drawing it again: with nothing changed but this, all is right: what is "
-      "cleared, and to what, the depth test and the blending.");
+      "cleared, and to what in pass 1, the depth test in pass 2 and the blending in pass 2.");
+  EXPECT_EQ(sentenceOf({{{1}, "", "function comparison in fragment", {}}}),
+            "Proved by drawing it again: with nothing changed but this in pass 2, all is right: "
+            "comparison() in the fragment shader. The handed-out program has it right: a line of "
+            "it was changed.");
 }
 
 TEST(Proved, WhatIsNotDrawnIsCalledSo) {

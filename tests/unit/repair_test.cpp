@@ -167,7 +167,7 @@ TEST(Repair, APassThatLacksIsPutBeforeTheNext) {
   EXPECT_TRUE(comparison.differences[0].isUnseen);
   EXPECT_EQ(patched[2]["before"]["000003"]["op"], "draw");
   std::set<std::string> roles; // that both have
-  for (const Unit& unit : comparison.compared) roles.insert(unit.role);
+  for (const auto& [unit, shaders] : comparison.compared) roles.insert(unit.role);
   EXPECT_THAT(roles, testing::SizeIs(1));
 }
 

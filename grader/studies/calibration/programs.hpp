@@ -63,10 +63,12 @@ struct Score {
   double seconds = 0; ///< that rendering and judging took; building and pictures come on top
   double judgeMs = 0; ///< of them: the first judging, for a picture, by the clock
   std::map<std::string, double> earned;        ///< by item; keep items 0 or less
+  std::map<std::string, double> asDrawn;       ///< before each was counted once; empty: no other
   std::map<std::string, std::string> messages; ///< of items that lost something
   std::map<std::string, PictureError>
       measures; ///< by name, if they were asked for; see whole_image.hpp
 
+  const std::map<std::string, double>& drawn() const { return asDrawn.empty() ? earned : asDrawn; }
   bool operator==(const Score&) const = default;
 };
 

@@ -90,6 +90,8 @@ Score scoreOf(const results::Result& result) {
     const double full = item.kind == results::ItemKind::keep ? 0 : item.points;
     if (item.earned < full) score.messages[item.id] = item.message;
   }
+  if (!result.causes.empty())
+    for (const results::Item& item : result.asDrawn) score.asDrawn[item.id] = item.earned;
   return score;
 }
 
@@ -97,11 +99,12 @@ json toJson(const Score& score) {
   json measures = json::object();
   for (const auto& [name, error] : score.measures)
     measures[name] = {{"worst", error.worst}, {"ms", error.ms}};
-  return {{"seed", score.seed},         {"outcome", results::name(score.outcome)},
-          {"detail", score.detail},     {"score", score.score},
-          {"bonus", score.bonus},       {"seconds", score.seconds},
-          {"judge_ms", score.judgeMs},  {"earned", score.earned},
-          {"messages", score.messages}, {"measures", measures}};
+  return {{"seed", score.seed},        {"outcome", results::name(score.outcome)},
+          {"detail", score.detail},    {"score", score.score},
+          {"bonus", score.bonus},      {"seconds", score.seconds},
+          {"judge_ms", score.judgeMs}, {"earned", score.earned},
+          {"as_drawn", score.asDrawn}, {"messages", score.messages},
+          {"measures", measures}};
 }
 
 Score scoreFrom(const json& from) {
@@ -115,6 +118,7 @@ Score scoreFrom(const json& from) {
   for (const auto& [name, error] : from.at("measures").items())
     score.measures[name] = {error.at("worst"), error.at("ms")};
   score.earned = from.at("earned").get<std::map<std::string, double>>();
+  score.asDrawn = from.at("as_drawn").get<std::map<std::string, double>>();
   score.messages = from.at("messages").get<std::map<std::string, std::string>>();
   score.outcome = results::parseOutcome(from.at("outcome").get<std::string>())
                       .value_or(results::Outcome::graded);

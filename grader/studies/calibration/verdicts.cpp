@@ -1,7 +1,5 @@
 #include "calibration/verdicts.hpp"
 
-#include "grading/repair.hpp"
-
 #include "report/text.hpp"
 
 #include <fmt/format.h>
@@ -41,9 +39,9 @@ public:
   }
 
   /// Points that an item lost: of a keep item, what it took away.
-  double lost(const Score& score, const ItemDeclaration& item) const {
-    const auto earned = score.earned.find(item.id);
-    const double value = earned == score.earned.end() ? 0 : earned->second;
+  double lost(const std::map<std::string, double>& earned, const ItemDeclaration& item) const {
+    const auto found = earned.find(item.id);
+    const double value = found == earned.end() ? 0 : found->second;
     return item.kind == results::ItemKind::keep ? -value : item.points - value;
   }
 
@@ -58,7 +56,7 @@ public:
     double sum = score.score;
     for (const std::string& id : program.loses)
       if (const ItemDeclaration* one = item(id); one && one->kind == results::ItemKind::gain)
-        sum += lost(score, *one);
+        sum += lost(score.earned, *one);
     return sum;
   }
 
@@ -90,23 +88,27 @@ public:
 private:
   void checkMistake(const KnownAnswer& program, const Score& score, Check& result) const {
     const ItemDeclaration& named = *item(program.fails);
-    const double loss = lost(score, named);
+    const double loss = lost(score.drawn(), named);
     const auto message = score.messages.find(named.id);
     const bool keep = named.kind == results::ItemKind::keep;
     const bool bonus = named.kind == results::ItemKind::bonus;
     const double share = keep ? kKeepLoss : kItemLoss;
-    if (bonus || !grading::repairs()) // else whose work the proved cause is decides who pays
-      result.require(loss, share * named.points,
-                     fmt::format("{} loses {} of {} points; {}% of them must go{}", named.id,
-                                 number(loss), number(named.points), number(100 * share),
-                                 message == score.messages.end() ? "" : ": " + message->second));
+    result.require(loss, share * named.points,
+                   fmt::format("{} loses {} of {} points; {}% of them must go{}", named.id,
+                               number(loss), number(named.points), number(100 * share),
+                               message == score.messages.end() ? "" : ": " + message->second));
     if (named.beyondLecture || bonus) return;
-    const double cost = full_ - score.score;
-    const double least = grading::repairs() ? kOnceCost : kRequiredCost;
-    result.require(cost, least,
-                   fmt::format("it costs {} points in all; a mistake in a required item costs at "
-                               "least {}",
-                               number(cost), number(least)));
+    const auto require = [&](double cost, double least) {
+      result.require(cost, least,
+                     fmt::format("it costs {} points in all; a mistake in a required item costs at "
+                                 "least {}",
+                                 number(cost), number(least)));
+    };
+    double cost = 0;
+    for (const ItemDeclaration& one : items_)
+      if (one.kind != results::ItemKind::bonus) cost += lost(score.drawn(), one);
+    require(std::min(cost, full_), kRequiredCost);
+    require(full_ - score.score, kOnceCost);
   }
 
   void checkPair(const KnownAnswer& program, const Score& score, Check& result) const {
@@ -126,7 +128,7 @@ private:
     for (const ItemDeclaration& one : items_) {
       const bool mayGo =
           std::find(program.loses.begin(), program.loses.end(), one.id) != program.loses.end();
-      const double points = lost(score, one);
+      const double points = lost(score.earned, one);
       if (mayGo || one.kind == results::ItemKind::bonus || points <= kRounding) continue;
       const auto message = score.messages.find(one.id);
       text += fmt::format("; {} loses {}{}", one.id, number(points),
@@ -181,7 +183,7 @@ Row rowOf(const Judge& judge, const Measured& measured) {
     lowestAllowed = std::min(lowestAllowed, points);
     highestAllowed = std::max(highestAllowed, points);
     if (const ItemDeclaration* item = judge.item(program.fails)) {
-      const double loss = item->points > 0 ? judge.lost(score, *item) / item->points : 0;
+      const double loss = item->points > 0 ? judge.lost(score.drawn(), *item) / item->points : 0;
       row.itemLoss = row.itemLoss < 0 ? loss : std::min(row.itemLoss, loss);
     }
   }

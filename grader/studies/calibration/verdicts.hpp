@@ -12,16 +12,17 @@
 
 namespace ggrade::calibration {
 
-/// What must hold on every seed. What a mistake costs at least is half of what it would if it were
-/// as wrong in every scene: an item earns up to (1 + worst) / 2, see results::creditOf.
+/// What must hold on every seed, of items as they are before each fault is counted once, unless
+/// said otherwise: whose work the proved cause is decides who pays in the end. What a mistake costs
+/// at least is half of what it would if it were as wrong in every scene: an item earns up to (1 +
+/// worst) / 2, see results::creditOf.
 inline constexpr double kRightScore = 98; ///< of 100: a right answer has at least this
 inline constexpr double kSpread = 1;      ///< points that a right answer's score may move by seed
 inline constexpr double kKeepLoss = 0.6;  ///< share of the named keep item that a mistake loses
 inline constexpr double kItemLoss = kKeepLoss / 2; ///< and of any other
-/// Where each fault counts once, what was spoiled costs so much in all, however many items saw it,
-/// and no mistake in a required item less: that is the least that a step is worth.
-inline constexpr double kOnceCost = 4;
 inline constexpr double kRequiredCost = 7.5; ///< points that a mistake in a required item costs
+/// And where each fault counts once: more than a right answer may lose.
+inline constexpr double kOnceCost = 3;
 
 /// One program over all seeds.
 struct Row {
