@@ -368,27 +368,32 @@ private:
   }
 
   /// A fault is never free: where none of those whose work it is lost anything, the item that lost
-  /// most loses it, but no more than the work is worth.
+  /// most by it loses it, but no more than the work is worth.
   void chargeOnce(const std::vector<results::Item>& before,
                   const std::vector<ProvedCause>& causes) {
     const auto lost = [](const results::Item& item) {
       return item.kind == results::ItemKind::bonus ? 0 : report::lost(item);
     };
-    if (std::ranges::any_of(items_, [&](const results::Item& item) {
-          return lost(item) > kFreeShare * item.points;
-        }))
-      return;
-    double worth = 0;
-    for (const auto& [id, item] : declared_)
-      if (item.kind == results::ItemKind::gain &&
-          std::ranges::any_of(
-              causes, [&](const ProvedCause& cause) { return isWorkOf(cause, item, causes); }))
-        worth += item.points;
-    if (worth == 0) worth = kSpoiledPoints;
-    const auto worst = std::ranges::max_element(before, {}, lost);
-    results::Item& charged = items_[std::size_t(worst - before.begin())];
-    charged = *worst;
-    if (const double all = lost(*worst); all > worth) charged.earned += all - worth;
+    std::map<std::set<std::string>, ProvedCause> works; // one for each
+    for (const ProvedCause& cause : causes) works.emplace(cause.todos, cause);
+    for (const auto& [todos, cause] : works) {
+      double paid = 0, worth = 0;
+      for (const results::Item& item : items_) {
+        const ItemDeclaration& declared = declared_.at(item.id);
+        if (!isWorkOf(cause, declared, causes)) continue;
+        if (lost(item) > kFreeShare * item.points) paid += lost(item);
+        if (item.kind == results::ItemKind::gain) worth += item.points;
+      }
+      if (paid > 0) continue;
+      const auto given = [&](std::size_t i) { return lost(before[i]) - lost(items_[i]); };
+      std::size_t worst = 0;
+      for (std::size_t i = 1; i < items_.size(); ++i)
+        if (given(i) > given(worst)) worst = i;
+      if (given(worst) <= 0) continue;
+      results::Item charged = before[worst];
+      charged.earned += std::max(0.0, given(worst) - (worth == 0 ? kSpoiledPoints : worth));
+      items_[worst] = charged;
+    }
   }
 
   /// Items say what their work is; else it is the step's that they stand for. What was right from
@@ -421,8 +426,10 @@ private:
     if (report::lost(*item) <= 0) item->cause = item->step = "";
     item->repaired.clear();
     for (const ProvedCause& cause : causes)
-      if (!isWorkOf(cause, declared_.at(item->id), causes))
-        item->repaired.push_back(diagnosis::nameOf(cause));
+      if (const std::string name = diagnosis::nameOf(cause);
+          !isWorkOf(cause, declared_.at(item->id), causes) &&
+          std::ranges::find(item->repaired, name) == item->repaired.end())
+        item->repaired.push_back(name);
   }
 
   OwnTapes& own_;

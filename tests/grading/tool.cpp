@@ -321,7 +321,8 @@ Graded Grader::grade(const grading::Built& built, const How& how, std::size_t sc
 
 const Graded& Grader::grade(const fs::path& folder, const How& how, std::size_t scenes) {
   std::string key = std::to_string(std::min(scenes, plan_.scenes.size()));
-  for (const bool flag : {how.solution, how.pictures, how.diagnosis, how.repair}) key += flag ? '1' : '0';
+  for (const bool flag : {how.solution, how.pictures, how.diagnosis, how.repair})
+    key += flag ? '1' : '0';
   for (const std::string& name : names(folder))
     key += name + ' ' +
            (fs::is_regular_file(folder / name) ? grading::hashOf(read(folder / name)) : "") + '\n';
@@ -389,7 +390,7 @@ std::vector<Catalogued> catalogue() {
   return all;
 }
 
-Graded gradeCatalogued(const Catalogued& one, bool allScenes) {
+Graded gradeCatalogued(const Catalogued& one, bool allScenes, const How& how) {
   Grader& grader = Grader::of(one.part);
   const auto& scenes = grader.plan().scenes;
   std::size_t count = scenes.size();
@@ -400,7 +401,7 @@ Graded gradeCatalogued(const Catalogued& one, bool allScenes) {
   const TemporaryFolder files;
   const fs::path upload = files.path() / one.program.name;
   grading::writeFiles(grader.target().assignment, one.program.recipe, upload);
-  const Graded graded = grader.grade(upload, {.repair = true}, count);
+  const Graded graded = grader.grade(upload, how, count);
   const auto verdicts =
       calibration::judge(one.part, grader.target().items(),
                          {{one.program, {calibration::scoreOf(graded.result)}, ""}});
@@ -411,7 +412,7 @@ Graded gradeCatalogued(const Catalogued& one, bool allScenes) {
 Graded gradeMistake(const std::string& name) {
   static const std::vector<Catalogued> all = catalogue();
   for (const Catalogued& one : all)
-    if (one.program.name == name) return gradeCatalogued(one, true);
+    if (one.program.name == name) return gradeCatalogued(one, true, {});
   throw std::runtime_error("there is no mistake " + name);
 }
 

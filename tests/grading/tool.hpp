@@ -185,8 +185,9 @@ std::vector<Catalogued> catalogue();
 /// Grades one as `calibrate` does, with the assignment's own seed, and expects that it loses what
 /// it must and nothing that it may not. A mistake is graded in the public scene and as far as those
 /// that show it, unless all scenes are asked for; a variant in all.
-Graded gradeCatalogued(const Catalogued& one, bool allScenes = false);
-/// The mistake with this name, in all scenes.
+Graded gradeCatalogued(const Catalogued& one, bool allScenes = false,
+                       const How& how = {.repair = true});
+/// The mistake with this name, in all scenes, by the rubric alone.
 Graded gradeMistake(const std::string& name);
 
 /// Expects no line of an assignment's solution in any file under `handedOut`; with `wholeBlocks` no
