@@ -118,7 +118,18 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   keepShard(intake.uploads, options.shard);
 
   const grading::ScenePlan plan = grading::drawScenes(target, solutionFolder, options.draw);
-  grading::prepareReferences(target, solutionFolder, plan, preparing);
+  const grading::References references =
+      grading::prepareReferences(target, solutionFolder, plan, preparing);
+  if (grading::repairs()) { // now, and not by every worker at the same time
+    preparing("whose work is what", 0, 1);
+    try {
+      grading::OwnTapes(target, solutionFolder, references).learn();
+    } catch (const UsageError&) {
+      throw;
+    } catch (const std::exception&) {
+      // Then nothing can be repaired, and every result says so.
+    }
+  }
   const std::string grader = graderOf(target, solutionFolder, plan);
   std::vector<Job> jobs;
   std::size_t otherGrader = 0;

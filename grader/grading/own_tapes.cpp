@@ -1,5 +1,6 @@
 #include "grading/own_tapes.hpp"
 
+#include "grading/parallel.hpp"
 #include "grading/replay.hpp"
 #include "report/write_file.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <span>
 
 namespace ggrade::grading {
@@ -60,6 +62,13 @@ const tape::Tape& OwnTapes::reference(std::size_t scene) {
       .first->second;
 }
 
+void OwnTapes::add(const std::string& todo, const repair::Difference& difference,
+                   const std::set<std::string>& lines) {
+  Share& share = changedBy_[difference.unit][todo];
+  share.lines.insert(lines.begin(), lines.end());
+  share.shaders.insert(difference.shaders.begin(), difference.shaders.end());
+}
+
 void OwnTapes::addStep(const std::string& todo, const repair::Comparison& before,
                        const repair::Comparison& after) {
   for (const repair::Difference& one : before.differences) {
@@ -70,74 +79,82 @@ void OwnTapes::addStep(const std::string& todo, const repair::Comparison& before
     std::ranges::copy_if(
         one.lacks, std::inserter(added, added.end()),
         [&](const std::string& line) { return isGone || !still->lacks.contains(line); });
-    if (!isGone && added.empty()) continue;
-    Share& share = changedBy_[one.unit][todo];
-    share.lines.insert(added.begin(), added.end());
-    share.shaders.insert(one.shaders.begin(), one.shaders.end());
+    if (isGone || !added.empty()) add(todo, one, added);
   }
 }
 
-void OwnTapes::learnOwners() {
-  const rubric::SceneFolders& scene = references_.scenes.at(0);
-  const fs::path file =
-      cacheFolder() / "owners" /
-      hashOf(toolHash() + referenceKey(target_, solutionFolder_) + target_.id + scene.scene.dump());
-  if (fs::exists(file)) {
+void OwnTapes::learn() {
+  std::call_once(learned_, [&] {
+    const rubric::SceneFolders& scene = references_.scenes.at(0);
+    const fs::path file = cacheFolder() / "owners" /
+                          hashOf(toolHash() + referenceKey(target_, solutionFolder_) + target_.id +
+                                 scene.scene.dump());
+    if (!fs::exists(file)) {
+      learnAnew(scene);
+      json kept = json::array();
+      for (const auto& [unit, todos] : changedBy_)
+        for (const auto& [todo, share] : todos)
+          kept.push_back({{"role", unit.role},
+                          {"unit", unit.name},
+                          {"todo", todo},
+                          {"lines", share.lines},
+                          {"shaders", share.shaders}});
+      keepText(kept.dump(), file);
+      return;
+    }
     for (const json& one : readJson(file))
       changedBy_[{one.at("role"), one.at("unit")}][one.at("todo")] = {one.at("lines"),
                                                                       one.at("shaders")};
-    return;
-  }
+  });
+}
+
+void OwnTapes::learnAnew(const rubric::SceneFolders& scene) {
   const tape::Tape& right = reference(0);
-  std::set<std::string> all, wanted;
+  std::set<std::string> all, filled;
+  std::vector<std::string> todos; // the target's, in their order
   for (const Part& part : target_.assignment.parts)
     for (const auto& todo : part.todos) all.insert(todo.id);
-  for (const Part& part : target_.parts)
-    for (const auto& todo : part.todos) wanted.insert(todo.id);
-  // Without one TODO alone: what then differs is its work.
-  std::set<std::string> neededLater; // without it the solution doesn't run
-  for (const std::string& todo : wanted) {
-    std::set<std::string> others = all;
-    others.erase(todo);
-    try {
-      const tape::Tape tape = record({solutionFolder_, {}, others}, scene);
-      for (const repair::Difference& one : repair::compare(tape, right).differences)
-        if (!one.passes.empty() || one.unit.name == "draws") // or the whole pass
-        {
-          Share& share = changedBy_[one.unit][todo];
-          share.lines.insert(one.lacks.begin(), one.lacks.end());
-          share.shaders.insert(one.shaders.begin(), one.shaders.end());
-        }
-    } catch (const NoTape&) {
-      neededLater.insert(todo);
-    }
-  }
-  // What can't be without a TODO, because its whole pass isn't drawn, is the work of the step with
-  // which it comes.
-  const auto known = changedBy_;
-  std::set<std::string> filled;
-  std::ranges::set_difference(all, wanted, std::inserter(filled, filled.end()));
-  repair::Comparison before = repair::compare(record({solutionFolder_, {}, filled}, scene), right);
+  filled = all;
   for (const Part& part : target_.parts)
     for (const auto& todo : part.todos) {
-      filled.insert(todo.id);
-      repair::Comparison after =
-          repair::compare(record({solutionFolder_, {}, filled}, scene), right);
-      if (neededLater.contains(todo.id)) addStep(todo.id, before, after);
-      for (const auto& [unit, shaders] : after.compared)
-        if (!before.compared.contains(unit) && !known.contains(unit))
-          changedBy_[unit][todo.id].shaders = shaders;
-      before = std::move(after);
+      todos.push_back(todo.id);
+      filled.erase(todo.id);
     }
-  json kept = json::array();
-  for (const auto& [unit, todos] : changedBy_)
-    for (const auto& [todo, share] : todos)
-      kept.push_back({{"role", unit.role},
-                      {"unit", unit.name},
-                      {"todo", todo},
-                      {"lines", share.lines},
-                      {"shaders", share.shaders}});
-  keepText(kept.dump(), file);
+  // The solution without one TODO alone, each, then with none of them, with the first, and so on.
+  std::vector<std::set<std::string>> programs;
+  for (const std::string& todo : todos) {
+    programs.push_back(all);
+    programs.back().erase(todo);
+  }
+  programs.push_back(filled);
+  for (const std::string& todo : todos) {
+    filled.insert(todo);
+    programs.push_back(filled);
+  }
+  std::vector<std::optional<repair::Comparison>> compared(programs.size());
+  inParallel(programs.size(), workers(), [&](std::size_t i) {
+    try {
+      compared[i] = repair::compare(record({solutionFolder_, {}, programs[i]}, scene), right);
+    } catch (const NoTape&) {
+      if (i >= todos.size()) throw; // a step of the handout draws
+    }
+  });
+  for (std::size_t i = 0; i < todos.size(); ++i)
+    if (compared[i])
+      for (const repair::Difference& one : compared[i]->differences)
+        if (!one.passes.empty() || one.unit.name == "draws") // or the whole pass
+          add(todos[i], one, one.lacks);
+  // What can't be without a TODO, because its whole pass isn't drawn or nothing is, is the work of
+  // the step with which it comes.
+  const auto known = changedBy_;
+  for (std::size_t i = 0; i < todos.size(); ++i) {
+    const repair::Comparison &before = *compared[todos.size() + i],
+                             &after = *compared[todos.size() + i + 1];
+    if (!compared[i]) addStep(todos[i], before, after);
+    for (const auto& [unit, shaders] : after.compared)
+      if (!before.compared.contains(unit) && !known.contains(unit))
+        changedBy_[unit][todos[i]].shaders = shaders;
+  }
 }
 
 const std::set<Unit>& OwnTapes::unitsOf(const fs::path& patch) {
@@ -154,7 +171,7 @@ const std::set<Unit>& OwnTapes::unitsOf(const fs::path& patch) {
 }
 
 std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
-  std::call_once(learned_, [&] { learnOwners(); });
+  learn();
   const auto found = changedBy_.find(difference.unit);
   if (found == changedBy_.end()) return {};
   std::set<std::string> all, byLine;
@@ -172,7 +189,7 @@ std::set<std::string> OwnTapes::missingIn(const repair::Difference& difference,
                                           const repair::UnitsInDraws& compared) {
   std::set<std::string> missing;
   if (difference.isUnseen) missing = ownersOf(difference);
-  std::call_once(learned_, [&] { learnOwners(); });
+  learn();
   if (const auto own = changedBy_.find(difference.unit); own != changedBy_.end())
     for (const auto& [todo, share] : own->second)
       if (!share.lines.empty() && !difference.adds &&

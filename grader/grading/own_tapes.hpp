@@ -21,6 +21,10 @@ public:
   /// The reference's, in a scene of the plan.
   const tape::Tape& reference(std::size_t scene);
 
+  /// Learns whose work everything is, by drawing the solution without each of its TODOs: some
+  /// twenty seconds, once. Who isn't told to does when first asked.
+  void learn();
+
   /// The TODOs whose work it is: those without which the solution alone has another unit (of a
   /// function: one that lacks a line that this one lacks, too), or the step of the handout with
   /// which it comes. None: it is there and right from the start; so are lines that no TODO adds.
@@ -38,7 +42,9 @@ public:
 
 private:
   tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene);
-  void learnOwners();
+  void learnAnew(const rubric::SceneFolders& scene);
+  void add(const std::string& todo, const repair::Difference& difference,
+           const std::set<std::string>& lines);
   /// Of the passes of a role, what the submission has nowhere.
   std::set<std::string> broughtWith(const std::string& role,
                                     const repair::UnitsInDraws& compared) const;

@@ -151,17 +151,18 @@ private:
   std::vector<Drawn> draw(TapedScene& scene, const std::vector<std::vector<Unit>>& repaired) {
     const GradedScene& graded = graded_.scenes[scene.index];
     std::vector<json> patches;
-    for (const std::vector<Unit>& units : repaired) patches.push_back(patchOf(scene, units));
+    // As it is first: what was never cleared still holds nothing then.
     if (!scene.isDrawnAgain) patches.push_back(json::array());
+    for (const std::vector<Unit>& units : repaired) patches.push_back(patchOf(scene, units));
     std::vector<channel::Capture> captures =
         playEach(scene.tape, patches, graded.scene.at("size").get<std::vector<std::uint32_t>>(),
                  graded.times, graded_.shaders, scene.drawn.trace.pixels.size());
     if (!scene.isDrawnAgain) {
-      if (captures.back().frames.empty()) throw NotRepaired("it can't be drawn again");
-      if (const std::string odd = differenceOf(scene.drawn, captures.back()); !odd.empty())
+      if (captures[0].frames.empty()) throw NotRepaired("it can't be drawn again");
+      if (const std::string odd = differenceOf(scene.drawn, captures[0]); !odd.empty())
         throw NotRepaired("it is not drawn again as it was: " + odd);
       scene.isDrawnAgain = true;
-      captures.pop_back();
+      captures.erase(captures.begin());
     }
     std::vector<Drawn> all;
     for (std::size_t i = 0; i < captures.size(); ++i) {

@@ -53,7 +53,7 @@ results::Diagnosis reduced(results::Diagnosis diagnosis, const results::Result& 
   return diagnosis;
 }
 
-results::Item reduced(results::Item item, const results::Result& result, Reveal reveal) {
+results::Item reduced(results::Item item, Reveal reveal) {
   if (reveal == Reveal::none) {
     for (std::string* text : {&item.message, &item.where, &item.cause, &item.step}) text->clear();
     item.credits.clear();
@@ -160,7 +160,7 @@ results::Result studentView(const results::Result& result, Reveal reveal, bool p
   view.bonus = result.bonus;
   view.maxScore = result.maxScore;
   for (const results::Item& item : result.items)
-    view.items.push_back(reduced(item, result, reveal));
+    view.items.push_back(reduced(item, reveal));
   // Without a scene it says no more than the outcome.
   for (const results::Diagnosis& diagnosis : result.diagnoses)
     if (reveal != Reveal::none || diagnosis.scene.empty())

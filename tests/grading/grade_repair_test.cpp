@@ -85,6 +85,43 @@ TEST(LongRepair, NothingDoneEarnsNothing) {
   EXPECT_NEAR(lostInAll(repaired(Submission::firstSteps(0))), 100, 0.01);
 }
 
+/// The solution without one step, and what that is worth: all others' points, but of those of whose
+/// work nothing can be seen then.
+struct Gap {
+  std::string todo;
+  double score;
+};
+
+class LongGaps : public testing::TestWithParam<Gap> {};
+
+TEST_P(LongGaps, EarnWhatIsDoneBesides) {
+  const std::string part = GetParam().todo.substr(0, GetParam().todo.find('.'));
+  const ggrade::Target target = ggrade::findTarget(kSource / "assignments", part);
+  ggrade::grading::Recipe recipe{kSource / "solutions" / target.assignment.id, {}, {}};
+  recipe.filled.emplace();
+  for (const ggrade::Part& one : target.assignment.parts)
+    for (const ggrade::Todo& todo : one.todos)
+      if (todo.id != GetParam().todo) recipe.filled->insert(todo.id);
+  const TemporaryFolder files;
+  ggrade::grading::writeFiles(target.assignment, recipe, files.path());
+  EXPECT_NEAR(gradePart(part, files.path(), {.repair = true}).score(), GetParam().score, 0.5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LongGaps,
+                         testing::Values(Gap{"mirror.1", 90}, Gap{"mirror.2", 95},
+                                         Gap{"mirror.4", 35}, Gap{"mirror.5", 80},
+                                         Gap{"shadow.1", 95}, Gap{"shadow.2", 95},
+                                         Gap{"shadow.3", 80}, Gap{"bloom.4", 82},
+                                         Gap{"bloom.5", 80}, Gap{"bloom.6", 85},
+                                         Gap{"shadow_volume.4", 75}, Gap{"targets.1", 80},
+                                         Gap{"targets.4", 75}, Gap{"ssao.2", 70},
+                                         Gap{"ssao.3", 84}),
+                         [](const auto& one) {
+                           std::string name = one.param.todo;
+                           std::ranges::replace(name, '.', '_');
+                           return name;
+                         });
+
 TEST(LongRepair, AClassIsRepaired) {
   const TemporaryFolder folder;
   Submission submission = Submission::solution();
