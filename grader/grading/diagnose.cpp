@@ -136,8 +136,12 @@ Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes
     const Mistake* mistake = catalogue.mistake(id);
     return mistake && agrees(*mistake, causes);
   };
-  if (cause.id.starts_with("step.") && areLater(causes, cause.id, part))
+  if (cause.id.starts_with("step.") && areLater(causes, cause.id, part)) {
+    std::erase_if(cause.alike, [&](const std::string& other) {
+      return other.starts_with("step.") && !areLater(causes, other, part);
+    });
     return inWords(cause, graded, part, catalogue);
+  }
   if (!cause.generic && !isProved(cause.id)) {
     const auto other = std::ranges::find_if(cause.alike, isProved);
     if (other != cause.alike.end()) std::swap(cause.id, *other);

@@ -312,6 +312,11 @@ private:
       causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one), one.isUnseen});
       missing_.merge(own_.missingIn(one, scene.compared));
     }
+    // A state that is left reaches passes of several steps: one fault, of what was right before.
+    for (const ProvedCause& left : causes)
+      if (left.todos.empty() && repair::isState(left.unit))
+        for (ProvedCause& cause : causes)
+          if (cause.unit == left.unit) cause.todos.clear();
     return causes;
   }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <iterator>
 #include <map>
@@ -90,9 +91,10 @@ public:
       comparePass(pair);
     }
     for (auto& [unit, difference] : found_) {
-      difference.isUnseen = std::ranges::any_of(putIn_[unit], [&](const json& shaders) {
-        return !drawn_.contains({unit.role, shaders});
-      });
+      difference.isUnseen = !drawsOther_.contains(unit.role) &&
+                            std::ranges::any_of(putIn_[unit], [&](const json& shaders) {
+                              return !drawn_.contains({unit.role, shaders});
+                            });
       if (!difference.patch.empty()) result_.differences.push_back(std::move(difference));
     }
     std::ranges::stable_sort(result_.differences, {}, [this](const Difference& one) {
@@ -322,6 +324,7 @@ private:
       const json& command = both.other ? reference_[*both.other] : result_.tape.commands[*both.one];
       if (!both.one || !both.other) {
         onlyClears = onlyClears && command.at("op") == "clear";
+        if (!both.other && command.at("op") == "draw") drawsOther_.insert(role_);
         continue;
       }
       shaders_ = shadersOf(result_.tape.blobs, command);
@@ -360,8 +363,9 @@ private:
   std::string shaders_;              ///< of the draw that is being compared
   std::map<Unit, Difference> found_;
   std::set<std::pair<std::string, json>> drawn_; ///< roles, and the shaders that both draw with
-  std::map<Unit, std::set<json>> putIn_;         ///< the shaders of draws that lack
-  std::map<std::string, std::size_t> order_;     ///< of roles, by their first pass
+  std::set<std::string> drawsOther_;         ///< roles in which the submission has draws of its own
+  std::map<Unit, std::set<json>> putIn_;     ///< the shaders of draws that lack
+  std::map<std::string, std::size_t> order_; ///< of roles, by their first pass
   std::map<std::string, std::uint64_t> made_;
   std::set<std::pair<std::string, json>> images_; ///< of roles, that were compared
 };
@@ -371,6 +375,13 @@ private:
 int widthOf(const std::string& unit) {
   if (unit.starts_with("shader ")) return 2;
   return unit == "attachments" || unit == "framebuffer" || unit == "draws" ? 1 : 0;
+}
+
+bool isState(const std::string& unit) {
+  return widthOf(unit) == 0 &&
+         std::ranges::none_of(
+             std::array{"function ", "uniform ", "block ", "texture ", "attribute ", "copy"},
+             [&](const char* kind) { return unit.starts_with(kind); });
 }
 
 Comparison compare(const tape::Tape& submission, const tape::Tape& reference) {

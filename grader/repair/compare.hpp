@@ -23,7 +23,8 @@ struct Difference {
   Unit unit;
   std::set<std::size_t> passes;                   ///< of the submission, counted within a frame
   nlohmann::json patch = nlohmann::json::array(); ///< RFC 6902, of Comparison::tape's commands
-  /// It puts in draws with shaders that the submission draws nothing with in such passes.
+  /// It puts in draws with shaders that the submission draws nothing with in such passes, nor
+  /// anything else in their place.
   bool isUnseen = false;
   /// Of a function or shader: the reference's lines that the submission's lacks.
   std::set<std::string> lacks{};
@@ -44,6 +45,9 @@ struct Comparison {
 /// shaders.
 inline constexpr int kWidths = 3;
 int widthOf(const std::string& unit);
+
+/// Is it a part of OpenGL's state, which stays as it is from one pass to the next?
+bool isState(const std::string& unit);
 
 /// Throws nlohmann::json::exception for a tape that isn't made as tapes are.
 Comparison compare(const tape::Tape& submission, const tape::Tape& reference);
