@@ -124,9 +124,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
     preparing("whose work is what", 0, 1);
     try {
       grading::OwnTapes(target, solutionFolder, references).learn();
-    } catch (const UsageError&) {
-      throw;
-    } catch (const std::exception&) {
+    } catch (const grading::NoTape&) {
       // Then nothing can be repaired, and every result says so.
     }
   }

@@ -19,10 +19,6 @@ using repair::Unit;
 
 namespace {
 
-struct NoTape : std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
-
 /// In one step.
 void keepText(std::string_view text, const fs::path& file) {
   TemporaryFolder work(file.parent_path());
@@ -44,6 +40,8 @@ tape::Tape OwnTapes::record(const Recipe& recipe, const rubric::SceneFolders& sc
   if (!fs::exists(file)) {
     const Rendering taped =
         program.render(scene.scene, scene.times, references_.ownShaders, request);
+    if (taped.happened.outcome == results::Outcome::notGradable)
+      throw std::runtime_error(taped.happened.detail); // the machine's fault
     if (!taped.happened.ok() || !taped.capture.tapeRefused.empty())
       throw NoTape("our own program has no tape: " + taped.happened.detail +
                    taped.capture.tapeRefused);

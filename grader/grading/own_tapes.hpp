@@ -12,6 +12,11 @@
 
 namespace ggrade::grading {
 
+/// One of our own programs can't be recorded: it does what no tape holds, or doesn't run.
+struct NoTape : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Made when first asked for, and kept in the cache. May be asked by several threads.
 class OwnTapes {
 public:

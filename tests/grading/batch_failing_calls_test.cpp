@@ -59,10 +59,12 @@ std::map<std::string, std::string> contentsOf(const fs::path& out) {
   return all;
 }
 
-/// Without the sandbox's version: where bubblewrap could not be asked, its name stands alone.
+/// Without the sandbox's version and what is said of an old one: where bubblewrap could not be
+/// asked, its name stands alone.
 std::string withoutVersion(const std::string& bytes) {
-  static const std::regex version("bubblewrap [0-9.]+");
-  return std::regex_replace(bytes, version, "bubblewrap");
+  static const std::regex version("bubblewrap [0-9.]+"),
+      old("<dt>bubblewrap</dt><dd[^>]*>[^<]*</dd>");
+  return std::regex_replace(std::regex_replace(bytes, version, "bubblewrap"), old, "");
 }
 
 std::string differences(const std::map<std::string, std::string>& a,
@@ -71,8 +73,13 @@ std::string differences(const std::map<std::string, std::string>& a,
   for (const auto& [name, bytes] : a)
     if (const auto other = b.find(name); other == b.end())
       text += name + " is missing; ";
-    else if (withoutVersion(other->second) != withoutVersion(bytes))
-      text += name + " differs; ";
+    else if (const std::string one = withoutVersion(bytes), two = withoutVersion(other->second);
+             one != two) {
+      const auto at = std::size_t(std::ranges::mismatch(one, two).in1 - one.begin());
+      const std::size_t from = at - std::min<std::size_t>(at, 60);
+      text += fmt::format("{} differs: {}\nfrom {}; ", name, two.substr(from, 120),
+                          one.substr(from, 120));
+    }
   for (const auto& [name, bytes] : b)
     if (!a.contains(name)) text += name + " is too much; ";
   return text;

@@ -33,13 +33,14 @@ void expectSame(const Graded& again, const Graded& first) {
 TEST(SameSeed, EveryRunAgreesInEveryBitAndPoint) {
   // A faulty submission: a score between the ends is the one that could waver.
   const Submission submission = Submission::example("light_not_mirrored");
-  const Graded first = grade(submission, {.pictures = true});
+  const How how{.pictures = true, .repair = true};
+  const Graded first = grade(submission, how);
   ASSERT_THAT(hashes(first), SizeIs(9));
   EXPECT_THAT(hashes(first), Each(Ne("")));
   EXPECT_GT(first.score(), 0);
   EXPECT_LT(first.score(), 100);
   Grader& grader = Grader::of("mirror");
-  expectSame(grader.grade(grader.build(submission.path()), {.pictures = true}), first);
+  expectSame(grader.grade(grader.build(submission.path()), how), first);
   expectSame(gradeByTool(submission), first); // the judge of one grading is another one
 }
 
@@ -47,7 +48,7 @@ TEST(SameSeed, AnotherSeedDrawsOtherHiddenScenesAndARegradeIsExact) {
   const Submission submission = Submission::example("light_not_mirrored");
   const Graded usual = grade(submission, {.pictures = true});
   const std::uint64_t seed = std::numeric_limits<std::uint64_t>::max();
-  const How how{.pictures = true, .draw = {.seed = seed}};
+  const How how{.pictures = true, .repair = true, .draw = {.seed = seed}};
   const Graded other = grade(submission, how);
   EXPECT_EQ(usual.results.at("extra_data").at("seed"), 1301);
   EXPECT_EQ(other.results.at("extra_data").at("seed"), seed);
