@@ -33,10 +33,10 @@ struct Built {
 struct Graded {
   results::Result result;
   std::shared_ptr<Program> program;
-  std::vector<GradedScene> scenes;    ///< the public one first; none where it wasn't built
-  std::optional<Rendering> again;     ///< the public scene's second run
-  diagnosis::Facts facts;             ///< of the first scene
-  ShaderCache shaders;                ///< what the program has compiled
+  std::vector<GradedScene> scenes; ///< the public one first; none where it wasn't built
+  std::optional<Rendering> again;  ///< the public scene's second run
+  diagnosis::Facts facts;          ///< of the first scene
+  ShaderCache shaders;             ///< what the program has compiled
   std::unique_ptr<TemporaryFolder> work;
 
   /// Folders of frames and passes, by scene.

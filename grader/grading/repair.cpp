@@ -383,14 +383,15 @@ private:
     std::map<std::set<std::string>, ProvedCause> works; // one for each
     for (const ProvedCause& cause : causes) works.emplace(cause.todos, cause);
     for (const auto& [todos, cause] : works) {
-      double paid = 0, worth = 0;
+      bool paid = false;
+      double worth = 0;
       for (const results::Item& item : items_) {
         const ItemDeclaration& declared = declared_.at(item.id);
         if (!isWorkOf(cause, declared, causes)) continue;
-        if (lost(item) > kFreeShare * item.points) paid += lost(item);
+        paid |= lost(item) > kFreeShare * item.points;
         if (item.kind == results::ItemKind::gain) worth += item.points;
       }
-      if (paid > 0) continue;
+      if (paid) continue;
       const auto given = [&](std::size_t i) { return lost(before[i]) - lost(items_[i]); };
       std::size_t worst = 0;
       for (std::size_t i = 1; i < items_.size(); ++i)

@@ -159,8 +159,7 @@ results::Result studentView(const results::Result& result, Reveal reveal, bool p
   view.score = result.score;
   view.bonus = result.bonus;
   view.maxScore = result.maxScore;
-  for (const results::Item& item : result.items)
-    view.items.push_back(reduced(item, reveal));
+  for (const results::Item& item : result.items) view.items.push_back(reduced(item, reveal));
   // Without a scene it says no more than the outcome.
   for (const results::Diagnosis& diagnosis : result.diagnoses)
     if (reveal != Reveal::none || diagnosis.scene.empty())

@@ -13,18 +13,8 @@ using testing::IsEmpty;
 
 namespace {
 
-/// One grader for all: it keeps the references and their tapes.
 Result repaired(const Submission& submission) {
-  static const ggrade::Target target = ggrade::findTarget(kSource / "assignments", "mirror");
-  static ggrade::grading::Grader grader = [] {
-    const fs::path solutions = kSource / "solutions/floor";
-    ggrade::grading::GraderOptions options;
-    options.repair = true;
-    options.pictures = options.twice = false;
-    return ggrade::grading::Grader(target, solutions,
-                                   ggrade::grading::drawScenes(target, solutions), options);
-  }();
-  return grader.gradeTrusted(submission.path());
+  return grade(submission, {.diagnosis = true, .repair = true}).result;
 }
 
 Result repaired(const std::string& file, const std::string& from, const std::string& to) {
@@ -107,20 +97,18 @@ TEST_P(LongGaps, EarnWhatIsDoneBesides) {
   EXPECT_NEAR(gradePart(part, files.path(), {.repair = true}).score(), GetParam().score, 0.5);
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, LongGaps,
-                         testing::Values(Gap{"mirror.1", 90}, Gap{"mirror.2", 95},
-                                         Gap{"mirror.4", 35}, Gap{"mirror.5", 80},
-                                         Gap{"shadow.1", 95}, Gap{"shadow.2", 95},
-                                         Gap{"shadow.3", 80}, Gap{"bloom.4", 82},
-                                         Gap{"bloom.5", 80}, Gap{"bloom.6", 85},
-                                         Gap{"shadow_volume.4", 75}, Gap{"targets.1", 80},
-                                         Gap{"targets.4", 75}, Gap{"ssao.2", 70},
-                                         Gap{"ssao.3", 84}),
-                         [](const auto& one) {
-                           std::string name = one.param.todo;
-                           std::ranges::replace(name, '.', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Of, LongGaps,
+    testing::Values(Gap{"mirror.1", 90}, Gap{"mirror.2", 95}, Gap{"mirror.4", 35},
+                    Gap{"mirror.5", 80}, Gap{"shadow.1", 95}, Gap{"shadow.2", 95},
+                    Gap{"shadow.3", 80}, Gap{"bloom.4", 82}, Gap{"bloom.5", 80}, Gap{"bloom.6", 85},
+                    Gap{"shadow_volume.4", 75}, Gap{"targets.1", 80}, Gap{"targets.4", 75},
+                    Gap{"ssao.2", 70}, Gap{"ssao.3", 84}),
+    [](const auto& one) {
+      std::string name = one.param.todo;
+      std::ranges::replace(name, '.', '_');
+      return name;
+    });
 
 TEST(LongRepair, AClassIsRepaired) {
   const TemporaryFolder folder;

@@ -26,8 +26,8 @@ struct Way {
 };
 
 const std::map<std::string, Way> kWays = {
-    // Each step's points come with it, if its work can be seen then: a framebuffer object into which
-    // nothing is drawn can't, nor can a matrix with which nothing is.
+    // Each step's points come with it, if its work can be seen then: a framebuffer object into
+    // which nothing is drawn can't, nor can a matrix with which nothing is.
     {"mirror", {{0, 0, 15, 35, 65, 85, 100, 100}, {1, 2}}},
     {"shadow", {{0, 0, 0, 30, 100, 100, 100}, {1, 2, 3}}},
     {"bloom", {{0, 0, 10, 27, 45, 65, 80, 100}, {1, 3, 4, 5, 6}}}};
@@ -107,8 +107,7 @@ TEST_P(Step, IsGradedAndEarnsAndShowsWhatTheHandoutSays) {
     const std::vector<double> scores = way().scores;
     // Where only the last score is known, the way there is seen in the public scene.
     const bool everywhere = !scores.empty() || k == 0 || k >= required;
-    const Graded graded =
-        grader_.grade(built, {.repair = true}, everywhere ? std::size_t(-1) : 1);
+    const Graded graded = grader_.grade(built, {.repair = true}, everywhere ? std::size_t(-1) : 1);
     ASSERT_EQ(graded.outcome(), "graded"); // neither gl_error nor no_frame
     if (scores.empty())
       EXPECT_GE(graded.score(), score);
