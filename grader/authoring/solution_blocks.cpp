@@ -95,4 +95,34 @@ std::map<std::string, std::string> blocksByTodo(std::string_view text, const std
   return found;
 }
 
+std::vector<std::pair<std::size_t, std::size_t>> stringsOf(const std::string& line) {
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (std::size_t at = 0; (at = line.find('"', at)) != line.npos; ++at) {
+    std::size_t end = at + 1;
+    while (end < line.size() && line[end] != '"') end += line[end] == '\\' ? 2 : 1;
+    found.emplace_back(at, end);
+    at = end;
+  }
+  return found;
+}
+
+std::size_t codeLength(const std::string& line) {
+  const auto strings = stringsOf(line);
+  for (std::size_t at = 0; (at = line.find("//", at)) != line.npos; at += 2)
+    if (std::ranges::none_of(strings,
+                             [&](const auto& one) { return one.first < at && at < one.second; }))
+      return at;
+  return line.size();
+}
+
+bool isPlainStatement(const std::string& line) {
+  static const std::regex kStatement(
+      R"(\s+(?!(?:return|throw|else|case|using|const|for|if|while|break|continue|discard|struct|in|out|)"
+      R"(uniform|auto|static)\b)[\w:.\->\[\]]+)"
+      R"((?: [-+*/|&]?= [^{};]+|\([^{};]*\)(?:\.[^{};]+)?|\+\+|--);\s*)");
+  static const std::regex kDeclaration(R"(\s+[\w:<>,]+[&*]? \w+(?:\[\w*\])?(?: = .*|\(.*\))?;\s*)");
+  const std::string code = line.substr(0, codeLength(line));
+  return std::regex_match(code, kStatement) && !std::regex_match(code, kDeclaration);
+}
+
 } // namespace ggrade::authoring

@@ -38,4 +38,14 @@ std::vector<std::string> blocks(std::string_view text, const std::string& file);
 /// The text of all blocks of each TODO that has any (without markers). Throws like withFilled.
 std::map<std::string, std::string> blocksByTodo(std::string_view text, const std::string& file);
 
+/// From and to of each string in a line of code.
+std::vector<std::pair<std::size_t, std::size_t>> stringsOf(const std::string& line);
+
+/// How many characters of a line are code: the rest is a comment.
+std::size_t codeLength(const std::string& line);
+
+/// Is the line a whole statement that declares nothing and doesn't jump, such as a call or an
+/// assignment?
+bool isPlainStatement(const std::string& line);
+
 } // namespace ggrade::authoring

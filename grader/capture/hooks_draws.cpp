@@ -5,6 +5,7 @@
 #include "capture/context.hpp"
 #include "capture/context_state.hpp"
 #include "capture/gl_hooks.hpp"
+#include "capture/recorder/defined_outputs.hpp"
 #include "capture/recorder/recorder.hpp"
 
 #include <array>
@@ -51,14 +52,18 @@ void countBound(Use use) {
 }
 
 /// Lives until the GL call has returned.
-struct Drawn {
-  Drawn() = default;
-  ~Drawn() {
+struct Called {
+  Called() = default;
+  ~Called() {
     if (encodingOff) setEncoding(true);
     if (recordsPasses) recorder::done();
   }
-  Drawn(const Drawn&) = delete;
-  Drawn& operator=(const Drawn&) = delete;
+  Called(const Called&) = delete;
+  Called& operator=(const Called&) = delete;
+};
+
+struct Drawn : Called {
+  const recorder::DefinedOutputs outputs;
 };
 
 struct Blitted {
@@ -130,7 +135,7 @@ constexpr auto ending = [] { return Encoded(); };
 constexpr auto clearing = [](GLbitfield mask) {
   countBound(Use::clear);
   if (recordsPasses) recorder::clear(mask);
-  return Drawn();
+  return Called();
 };
 
 template <typename Value> ClearValue clearValue(GLenum buffer, const Value* value) {
@@ -163,24 +168,24 @@ ClearValue depthStencil(GLfloat depth, GLint stencil) {
 constexpr auto clearingBuffer = [](GLenum buffer, GLint drawBuffer, const auto* value) {
   countBound(Use::clear);
   if (recordsPasses) recorder::clearBuffer(drawBuffer, clearValue(buffer, value));
-  return Drawn();
+  return Called();
 };
 constexpr auto clearingDepthStencil = [](GLenum, GLint drawBuffer, GLfloat depth, GLint stencil) {
   countBound(Use::clear);
   if (recordsPasses) recorder::clearBuffer(drawBuffer, depthStencil(depth, stencil));
-  return Drawn();
+  return Called();
 };
 constexpr auto clearingNamed = [](GLuint framebuffer, GLenum buffer, GLint drawBuffer,
                                   const auto* value) {
   count(Use::clear, framebuffer == 0);
   if (recordsPasses) recorder::clearBufferOf(framebuffer, drawBuffer, clearValue(buffer, value));
-  return Drawn();
+  return Called();
 };
 constexpr auto clearingNamedDepthStencil = [](GLuint framebuffer, GLenum, GLint drawBuffer,
                                               GLfloat depth, GLint stencil) {
   count(Use::clear, framebuffer == 0);
   if (recordsPasses) recorder::clearBufferOf(framebuffer, drawBuffer, depthStencil(depth, stencil));
-  return Drawn();
+  return Called();
 };
 
 constexpr auto blitting = [](GLint, GLint, GLint, GLint, GLint x0, GLint y0, GLint x1, GLint y1,

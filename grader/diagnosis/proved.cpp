@@ -39,6 +39,7 @@ std::string nameOf(const results::ProvedCause& cause) {
   if (takes(unit, "uniform", rest)) return say("the uniform {}", rest);
   if (takes(unit, "block", rest)) return say("what the uniform block {} holds", rest);
   if (takes(unit, "texture", rest)) return say("what the sampler {} reads", rest);
+  if (takes(unit, "sampler", rest)) return say("how the sampler {} filters and wraps", rest);
   if (takes(unit, "attribute", rest)) return say("the vertices' {}", rest);
   if (takes(unit, "shader", rest)) return shaderOf(rest);
   if (takes(unit, "function", rest)) {

@@ -116,6 +116,13 @@ std::vector<results::ProvedCause> causesIn(const Part& part, const results::Resu
   return causes;
 }
 
+/// Of the first of them that is one step's work; empty: none is.
+std::string stepOf(const std::vector<results::ProvedCause>& causes, const Part& part) {
+  const auto one = std::ranges::find_if(
+      causes, [](const results::ProvedCause& cause) { return cause.todos.size() == 1; });
+  return one == causes.end() ? std::string() : stepHeading(part, *one->todos.begin());
+}
+
 /// Are all causes the work of steps that the program up to this one hasn't got?
 bool areLater(const std::vector<results::ProvedCause>& causes, const std::string& step,
               const Part& part) {
@@ -158,7 +165,7 @@ Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes
   words.id = "proved";
   words.confidence = 1;
   words.text = diagnosis::sentenceOf(causes);
-  if (causes[0].todos.size() == 1) words.step = stepHeading(part, *causes[0].todos.begin());
+  words.step = stepOf(causes, part);
   return words;
 }
 
@@ -191,13 +198,15 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
         lostItems(result.asDrawn.empty() ? result.items : result.asDrawn, part);
     if (lost.empty()) continue;
     // Seen, not concluded: no picture can be surer. That OpenGL reports errors says little.
+    const std::vector<results::ProvedCause> causes = causesIn(part, result);
     if (observed && observed->id != results::name(results::Outcome::glError)) {
-      all.push_back(*observed);
-      all.back().part = part.id;
-      all.back().step = stepOfWorst(result, part);
+      Diagnosis& words = all.emplace_back(*observed);
+      words.part = part.id;
+      words.step = stepOf(causes, part);
+      if (words.step.empty()) words.step = stepOfWorst(result, part);
+      if (!causes.empty()) words.beside.push_back(diagnosis::sentenceOf(causes));
       continue;
     }
-    const std::vector<results::ProvedCause> causes = causesIn(part, result);
     if (!result.causes.empty() && causes.empty()) continue; // another part's fault was seen here
     Diagnoser& diagnoser = diagnoserOf(part);
     const Cause cause = diagnoser.causeOf(lost, shown(graded.students()));

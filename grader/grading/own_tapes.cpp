@@ -2,6 +2,7 @@
 
 #include "grading/parallel.hpp"
 #include "grading/replay.hpp"
+#include "grading/statements.hpp"
 #include "report/write_file.hpp"
 
 #include <fmt/format.h>
@@ -89,20 +90,26 @@ void OwnTapes::learn() {
                                  scene.scene.dump());
     if (!fs::exists(file)) {
       learnAnew(scene);
-      json kept = json::array();
+      learnDeciders(scene);
+      json changed = json::array(), decided = json::array();
       for (const auto& [unit, todos] : changedBy_)
         for (const auto& [todo, share] : todos)
-          kept.push_back({{"role", unit.role},
-                          {"unit", unit.name},
-                          {"todo", todo},
-                          {"lines", share.lines},
-                          {"shaders", share.shaders}});
-      keepText(kept.dump(), file);
+          changed.push_back({{"role", unit.role},
+                             {"unit", unit.name},
+                             {"todo", todo},
+                             {"lines", share.lines},
+                             {"shaders", share.shaders}});
+      for (const auto& [unit, todos] : decidedBy_)
+        decided.push_back({{"role", unit.role}, {"unit", unit.name}, {"todos", todos}});
+      keepText(json({{"changed", changed}, {"decided", decided}}).dump(), file);
       return;
     }
-    for (const json& one : readJson(file))
+    const json kept = readJson(file);
+    for (const json& one : kept.at("changed"))
       changedBy_[{one.at("role"), one.at("unit")}][one.at("todo")] = {one.at("lines"),
                                                                       one.at("shaders")};
+    for (const json& one : kept.at("decided"))
+      decidedBy_[{one.at("role"), one.at("unit")}] = one.at("todos");
   });
 }
 
@@ -153,6 +160,37 @@ void OwnTapes::learnAnew(const rubric::SceneFolders& scene) {
       if (!before.compared.contains(unit) && !known.contains(unit))
         changedBy_[unit][todos[i]].shaders = shaders;
   }
+}
+
+void OwnTapes::learnDeciders(const rubric::SceneFolders& scene) {
+  const tape::Tape& right = reference(0);
+  Statements statements(target_, solutionFolder_);
+  std::vector<std::set<Unit>> changed(statements.size()); // without each statement
+  inParallel(statements.size(), workers(), [&](std::size_t i) {
+    const Rendering drawn =
+        statements.renderWithout(i, scene.scene, scene.times, references_.ownShaders,
+                                 tapingRequest(std::uint32_t(scene.times.size())));
+    if (!drawn.happened.ok() || !drawn.capture.tapeRefused.empty()) return;
+    for (const repair::Difference& one :
+         repair::compare(tape::read(drawn.capture.tape), right).differences)
+      changed[i].insert(one.unit);
+  });
+  std::map<Unit, std::size_t> fewest; // units that the statement changes, with this one
+  for (std::size_t i = 0; i < changed.size(); ++i)
+    for (const Unit& unit : changed[i]) {
+      if (unit.name.starts_with("function ") || unit.name.starts_with("shader ")) continue;
+      const auto [known, isNew] = fewest.try_emplace(unit, changed[i].size());
+      if (changed[i].size() > known->second) continue;
+      if (changed[i].size() < known->second) decidedBy_[unit].clear();
+      known->second = changed[i].size();
+      decidedBy_[unit].insert(statements.todoOf(i));
+    }
+}
+
+std::set<std::string> OwnTapes::decidersOf(const Unit& unit) {
+  learn();
+  const auto found = decidedBy_.find(unit);
+  return found == decidedBy_.end() ? std::set<std::string>() : found->second;
 }
 
 const std::set<Unit>& OwnTapes::unitsOf(const fs::path& patch) {

@@ -26,14 +26,20 @@ public:
   /// The reference's, in a scene of the plan.
   const tape::Tape& reference(std::size_t scene);
 
-  /// Learns whose work everything is, by drawing the solution without each of its TODOs: some
-  /// twenty seconds, once. Who isn't told to does when first asked.
+  /// Learns whose work everything is, by drawing the solution without each of its TODOs, and
+  /// without each of their statements: half a minute, once. Who isn't told to does when first
+  /// asked.
   void learn();
 
   /// The TODOs whose work it is: those without which the solution alone has another unit (of a
   /// function: one that lacks a line that this one lacks, too), or the step of the handout with
   /// which it comes. None: it is there and right from the start; so are lines that no TODO adds.
   std::set<std::string> ownersOf(const repair::Difference& difference);
+
+  /// The TODOs with a statement that decides the unit: without it alone the solution has another,
+  /// and no other TODO has one without which so little else is another. None: no statement does,
+  /// or it is a shader.
+  std::set<std::string> decidersOf(const repair::Unit& unit);
 
   /// The TODOs of whose work the submission has nothing that could be judged where this is put
   /// right: because it isn't there, or comes with the reference's draws and shaders.
@@ -48,6 +54,7 @@ public:
 private:
   tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene);
   void learnAnew(const rubric::SceneFolders& scene);
+  void learnDeciders(const rubric::SceneFolders& scene);
   void add(const std::string& todo, const repair::Difference& difference,
            const std::set<std::string>& lines);
   /// Of the passes of a role, what the submission has nowhere.
@@ -68,6 +75,7 @@ private:
     std::set<std::string> shaders; ///< of the draws in which it is another
   };
   std::map<repair::Unit, std::map<std::string, Share>> changedBy_;
+  std::map<repair::Unit, std::set<std::string>> decidedBy_;
   std::once_flag learned_;
   std::map<std::filesystem::path, std::set<repair::Unit>> unitsOf_;
 };

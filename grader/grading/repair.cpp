@@ -29,8 +29,8 @@ namespace {
 /// So much of what a scene can lose may be missing where it counts as right.
 constexpr double kRight = 0.02;
 constexpr double kRightPoints = 0.5;
-/// A submission that takes more is another program, not a fault.
-constexpr std::size_t kMostCauses = 6;
+/// A submission with more, or in the work of more steps, is another program, not a fault.
+constexpr std::size_t kMostCauses = 24, kMostWorks = 6;
 constexpr std::size_t kMostTried = 40; ///< differences of one submission
 /// An item that lost no more of its points is as good as whole.
 constexpr double kFreeShare = 0.05;
@@ -235,6 +235,25 @@ private:
     for (const auto& level : levels) ofLevel.push_back(tryOut(with(level)));
     for (const Unit& unit : all) ofUnit.push_back(tryOut(with({unit})));
     std::vector<Drawn> drawn = draw(scene, tried);
+    if (getenv("GGDBG")) {
+      fmt::print(stderr, "\nscene {} {} cands {}\n", scene.index, graded_.scenes[scene.index].name, all.size());
+      for (const auto& u : all) fmt::print(stderr, "   {} @ {}\n", u.name, u.role);
+      {
+        tape::Tape t = tape::read(scene.tape);
+        json patched = t.commands.patch(patchOf(scene, tried[ofLevel.back()]));
+        const auto show = [](const json& c) {
+          std::string tex;
+          if (c.contains("textures")) for (auto& [n, a] : c["textures"].items()) for (auto& o : a) tex += " " + n + "=" + (o.contains("image") ? o["image"].dump() : "none");
+          std::string target = c.contains("target") ? c["target"].dump().substr(0, 160) : "";
+          fmt::print(stderr, "{} skip={} {} | {} | vp {}\n", c["op"].get<std::string>(), c.contains("skip"), target, tex, c.contains("state") && c["state"].contains("viewport") ? c["state"]["viewport"].dump() : "");
+        };
+        for (auto& c : patched) { if (c["op"] == "image") { fmt::print(stderr, "image {} {}\n", c["id"].dump(), c.contains("levels") && c["levels"].size() ? c["levels"][0]["width"].dump() + " fmt " + c["levels"][0]["format"].dump() : "-"); continue; }
+          if (c.contains("before")) for (auto& o : c["before"]) { fmt::print(stderr, "   + "); show(o); }
+          show(c); if (c["op"] == "swap") break; }
+      }
+      if (drawn[ofLevel.back()].folder) for (const auto& it : judge({{scene.index, drawn[ofLevel.back()].folder->path()}}, lossy_))
+        for (const auto& c : it.credits) if (c.scene == graded_.scenes[scene.index].name && c.credit < 1) fmt::print(stderr, "   still {} {}: {}\n", it.id, c.credit, it.cause);
+    }
     // What isn't right with all of them isn't right with fewer.
     if (!isRight(scene, drawn[ofLevel.back()])) return {};
     std::vector<std::size_t> order(all.size());
@@ -303,8 +322,6 @@ private:
   }
 
   std::vector<ProvedCause> causesOf(const std::vector<Unit>& found) {
-    if (found.size() > kMostCauses)
-      throw NotRepaired(fmt::format("it takes {} changes to make it right", found.size()));
     std::vector<ProvedCause> causes;
     missing_.clear();
     for (const Unit& unit : found) {
@@ -312,12 +329,37 @@ private:
       causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one), one.isUnseen});
       missing_.merge(own_.missingIn(one, scene.compared));
     }
+    std::set<std::set<std::string>> works;
+    for (const ProvedCause& cause : causes) works.insert(cause.todos);
+    if (causes.size() > kMostCauses || works.size() > kMostWorks)
+      throw NotRepaired(fmt::format("it takes {} changes to make it right", causes.size()));
+    blameDeciders(causes);
     // A state that is left reaches passes of several steps: one fault, of what was right before.
     for (const ProvedCause& left : causes)
       if (left.todos.empty() && repair::isState(left.unit))
         for (ProvedCause& cause : causes)
           if (cause.unit == left.unit) cause.todos.clear();
     return causes;
+  }
+
+  /// What is another without a TODO may be so only because that TODO's own work lacks, too: a
+  /// texture that isn't made can't be bound. Where no other cause proves that, it is the TODO's
+  /// whose statement decides it.
+  void blameDeciders(std::vector<ProvedCause>& causes) {
+    std::vector<std::set<std::string>> deciders;
+    for (const ProvedCause& cause : causes) {
+      deciders.push_back(own_.decidersOf({cause.role, cause.unit}));
+      if (cause.todos.empty() || cause.isUnseen || deciders.back().empty())
+        deciders.back() = cause.todos;
+    }
+    for (std::size_t i = 0; i < causes.size(); ++i) {
+      std::set<std::string> lacking; // of those that it may be, by other causes
+      for (std::size_t k = 0; k < causes.size(); ++k)
+        if (k != i)
+          std::ranges::set_intersection(causes[i].todos, deciders[k],
+                                        std::inserter(lacking, lacking.end()));
+      causes[i].todos = lacking.empty() ? deciders[i] : lacking;
+    }
   }
 
   /// In the worst of the scenes that have it.

@@ -119,9 +119,14 @@ private:
   }
 
   /// Images are the same that are attached at the same point of passes that do the same, that the
-  /// same sampler reads there, or that hold the same texels from the start.
+  /// same sampler reads there, or that hold the same texels from the start; the first that are, so
+  /// that no two of the reference's become one.
   void mapImages() {
     std::map<std::uint64_t, std::uint64_t> same; // the reference's: the submission's
+    const auto pairUp = [&](const json& theirs, const json& own) {
+      if (std::ranges::none_of(same, [&](const auto& one) { return own == one.second; }))
+        same.try_emplace(theirs, own);
+    };
     json& commands = result_.tape.commands;
     for (const PassPair& pair : pairs_)
       for (const CommandPair& both : pair.commands) {
@@ -130,7 +135,7 @@ private:
         if (a.contains("window") || b.contains("window")) continue;
         for (const auto& [point, one] : b.at("attachments").items())
           if (const json& own = a.at("attachments"); own.contains(point))
-            same.try_emplace(one.at("image"), own[point].at("image"));
+            pairUp(one.at("image"), own[point].at("image"));
       }
     // Or that the same sampler reads.
     for (const PassPair& pair : pairs_)
@@ -139,12 +144,9 @@ private:
         const json& own = commands[*both.one].at("textures");
         for (const auto& [name, all] : reference_[*both.other].at("textures").items()) {
           const json ownAll = own.value(name, json::array());
-          for (std::size_t i = 0; i < std::min(all.size(), ownAll.size()); ++i) {
-            if (!all[i].contains("image") || !ownAll[i].contains("image")) continue;
-            const json image = ownAll[i]["image"];
-            if (std::ranges::none_of(same, [&](const auto& one) { return image == one.second; }))
-              same.try_emplace(all[i]["image"], image);
-          }
+          for (std::size_t i = 0; i < std::min(all.size(), ownAll.size()); ++i)
+            if (all[i].contains("image") && ownAll[i].contains("image"))
+              pairUp(all[i]["image"], ownAll[i]["image"]);
         }
       }
     const auto definition = [](json command) {
@@ -274,16 +276,23 @@ private:
         changed.replace(found->second.begin, found->second.end - found->second.begin,
                         right.substr(function.begin, function.end - function.begin));
         patch(unit, path, blobOf(changed));
+        giveInputs(unit, at, own, theirs);
       }
       if (!differs) continue;
       const std::string unit = "shader " + stage;
       patch(unit, path, b);
       found_[{role_, unit}].lacks.merge(lacksInAll);
       found_[{role_, unit}].adds |= addsInAll;
-      for (const char* key : {"uniforms", "textures", "blocks"})
-        for (const auto& [name, value] : theirs.at(key).items())
-          if (!own.at(key).contains(name)) patch(unit, pointer({at, key, name}), value);
+      giveInputs(unit, at, own, theirs);
     }
+  }
+
+  /// What the reference's shaders are given and the submission's have no use for.
+  void giveInputs(const std::string& unit, const std::string& at, const json& own,
+                  const json& theirs) {
+    for (const char* key : {"uniforms", "textures", "blocks", "attributes"})
+      for (const auto& [name, value] : theirs.at(key).items())
+        if (!own.at(key).contains(name)) patch(unit, pointer({at, key, name}), value);
   }
 
   std::uint64_t blobOf(const std::string& text) {
@@ -299,10 +308,30 @@ private:
     const json own = result_.tape.commands[i]; // patches are looked up in the commands as they are
     const std::string at = std::to_string(i);
     compareProgram(i, own, theirs);
-    for (const std::string what : {"uniform", "block", "texture", "attribute"})
+    for (const std::string what : {"uniform", "block", "attribute"})
       for (const auto& [name, value] : theirs.at(what + 's').items())
         if (own.at(what + 's').contains(name))
           patch(what + ' ' + name, pointer({at, what + 's', name}), value);
+    for (const auto& [name, all] : theirs.at("textures").items())
+      if (own.at("textures").contains(name))
+        compareTextures(name, own["textures"][name], all, pointer({at, "textures", name}));
+  }
+
+  /// Which textures a sampler reads, and how these are sampled.
+  void compareTextures(const std::string& name, const json& own, const json& theirs,
+                       const std::string& path) {
+    const auto imagesOf = [](const json& all) {
+      json images = json::array();
+      for (const json& one : all) images.push_back({one.at("target"), one.value("image", json())});
+      return images;
+    };
+    const bool isSame = imagesOf(own) == imagesOf(theirs);
+    note("texture " + name);
+    if (!isSame) patch("texture " + name, path, theirs);
+    for (std::size_t i = 0; i < std::min(own.size(), theirs.size()); ++i)
+      for (const auto& [key, value] : theirs[i].items())
+        if (key != "target" && key != "image" && key != "unit")
+          patch("sampler " + name, path + pointer({std::to_string(i), key}), value);
   }
 
   void compareClear(std::size_t i, const json& theirs) {
@@ -380,7 +409,8 @@ int widthOf(const std::string& unit) {
 bool isState(const std::string& unit) {
   return widthOf(unit) == 0 &&
          std::ranges::none_of(
-             std::array{"function ", "uniform ", "block ", "texture ", "attribute ", "copy"},
+             std::array{"function ", "uniform ", "block ", "texture ", "sampler ", "attribute ",
+                        "copy"},
              [&](const char* kind) { return unit.starts_with(kind); });
 }
 

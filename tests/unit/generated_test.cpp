@@ -74,10 +74,10 @@ TEST(Generated, StringsCommentsAndDeclarationsStay) {
   }
   for (const char* line : {"  const float a = 1;", "  glm::vec3 up = f(x);", "  return f(x);",
                            "  GLuint name;", "  if (x) f();", "  gg::Program program(a, b);"})
-    EXPECT_FALSE(isPlainStatement(line)) << line;
+    EXPECT_FALSE(authoring::isPlainStatement(line)) << line;
   for (const char* line : {"  glClear(A | B);", "  x = 1;", "  x.y += f(1);", "  a.set(\"b\", c);",
                            "  ++i;  // comment"})
-    EXPECT_EQ(isPlainStatement(line), std::string(line).find("++i") == std::string::npos) << line;
+    EXPECT_EQ(authoring::isPlainStatement(line), std::string(line).find("++i") == std::string::npos) << line;
 }
 
 const char* const kProgram = "void before() { x = 1; } // stays\n"

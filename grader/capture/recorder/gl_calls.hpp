@@ -19,6 +19,7 @@ struct GlCalls {
   GG_CALL(blitNamedFramebuffer, glBlitNamedFramebuffer);
   GG_CALL(checkFramebufferStatus, glCheckFramebufferStatus);
   GG_CALL(clampColor, glClampColor);
+  GG_CALL(colorMaski, glColorMaski);
   GG_CALL(createFramebuffers, glCreateFramebuffers);
   GG_CALL(createRenderbuffers, glCreateRenderbuffers);
   GG_CALL(deleteFramebuffers, glDeleteFramebuffers);

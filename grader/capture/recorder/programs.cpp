@@ -57,23 +57,6 @@ void addMatrices(ProgramInfo& info, GLuint program, GLuint uniform, const std::s
   }
 }
 
-/// An output that a shader never writes is none for the linker, declared or not.
-std::uint32_t outputsOf(GLuint program) {
-  GLint count = 0;
-  gl().getProgramInterfaceiv(program, GL_PROGRAM_OUTPUT, GL_ACTIVE_RESOURCES, &count);
-  std::uint32_t outputs = 0;
-  for (GLint i = 0; i < count; ++i) {
-    const GLenum asked[] = {GL_LOCATION, GL_ARRAY_SIZE};
-    GLint answers[2] = {-1, 1};
-    gl().getProgramResourceiv(program, GL_PROGRAM_OUTPUT, static_cast<GLuint>(i), 2, asked, 2,
-                              nullptr, answers);
-    const auto [location, elements] = answers;
-    if (location < 0) return ~0U; // gl_FragColor, gl_FragData
-    for (GLint at = location; at < std::min(location + elements, 32); ++at) outputs |= 1U << at;
-  }
-  return outputs;
-}
-
 ProgramInfo ask(GLuint program) {
   ProgramInfo info;
   info.outputs = outputsOf(program);
@@ -203,6 +186,22 @@ void readSettings(trace::SampleRecord& sample) {
 }
 
 } // namespace
+
+std::uint32_t outputsOf(GLuint program) {
+  GLint count = 0;
+  gl().getProgramInterfaceiv(program, GL_PROGRAM_OUTPUT, GL_ACTIVE_RESOURCES, &count);
+  std::uint32_t outputs = 0;
+  for (GLint i = 0; i < count; ++i) {
+    const GLenum asked[] = {GL_LOCATION, GL_ARRAY_SIZE};
+    GLint answers[2] = {-1, 1};
+    gl().getProgramResourceiv(program, GL_PROGRAM_OUTPUT, static_cast<GLuint>(i), 2, asked, 2,
+                              nullptr, answers);
+    const auto [location, elements] = answers;
+    if (location < 0) return ~0U; // gl_FragColor, gl_FragData
+    for (GLint at = location; at < std::min(location + elements, 32); ++at) outputs |= 1U << at;
+  }
+  return outputs;
+}
 
 const ProgramInfo& Programs::info(std::uint32_t group, GLuint program) {
   const auto key = std::pair(group, program);

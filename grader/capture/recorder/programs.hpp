@@ -37,8 +37,12 @@ struct ProgramInfo {
   std::vector<Sampler> samplers;
   std::vector<MatrixUniform> matrices;
   std::vector<GLint> images; ///< locations of the image uniforms
-  std::uint32_t outputs = 0; ///< mask of those that the fragment shader writes
+  std::uint32_t outputs = 0; ///< see outputsOf
 };
+
+/// Mask of the outputs that a program's fragment shader writes: of one that it never writes there
+/// is none for the linker, declared or not.
+std::uint32_t outputsOf(GLuint program);
 
 /// Programs are asked once, until they are linked anew.
 class Programs {

@@ -46,7 +46,10 @@ struct Gl {
   GG_CALL(createProgram, glCreateProgram);
   GG_CALL(createShader, glCreateShader);
   GG_CALL(cullFace, glCullFace);
+  GG_CALL(deleteFramebuffers, glDeleteFramebuffers);
+  GG_CALL(deleteRenderbuffers, glDeleteRenderbuffers);
   GG_CALL(deleteShader, glDeleteShader);
+  GG_CALL(deleteTextures, glDeleteTextures);
   GG_CALL(deleteVertexArrays, glDeleteVertexArrays);
   GG_CALL(depthFunc, glDepthFunc);
   GG_CALL(depthMask, glDepthMask);

@@ -165,6 +165,21 @@ const Images::Image& Images::at(const json& id) const {
   return found->second;
 }
 
+void Images::forget() {
+  for (const auto& [id, image] : images_) {
+    if (image.isTexture)
+      gl().deleteTextures(1, &image.name);
+    else
+      gl().deleteRenderbuffers(1, &image.name);
+  }
+  images_.clear();
+}
+
+void Framebuffers::forget() {
+  for (const auto& [key, framebuffer] : framebuffers_) gl().deleteFramebuffers(1, &framebuffer);
+  framebuffers_.clear();
+}
+
 GLuint Framebuffers::of(const json& attachments) {
   std::string key = attachments.dump();
   for (const auto& [name, one] : attachments.items())

@@ -34,8 +34,11 @@ public:
     gl().pixelStorei(GL_UNPACK_ALIGNMENT, 1);
   }
 
-  /// The first `frames` frames of these commands.
+  /// The first `frames` frames of these commands, as if nothing had been played before: an image
+  /// that is never cleared holds nothing.
   void play(const json& commands, int frames) {
+    framebuffers_.forget();
+    images_.forget();
     for (const json& command : commands) {
       if (frames == 0) return;
       if (command.contains("before"))

@@ -25,6 +25,8 @@ public:
   };
   /// Throws for a number that no command has defined.
   const Image& at(const json& id) const;
+  /// Deletes them all: what is defined next holds nothing of what these held.
+  void forget();
 
 private:
   void defineTexture(Image& image, const json& command);
@@ -39,6 +41,8 @@ public:
   /// Binds what a command's "target" or "from" says.
   void bindDraw(const json& target);
   void bindRead(const json& from);
+  /// Deletes them all.
+  void forget();
 
 private:
   GLuint of(const json& attachments);

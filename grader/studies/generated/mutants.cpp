@@ -19,6 +19,8 @@ namespace ggrade::generated {
 
 namespace fs = std::filesystem;
 using authoring::BlockLine;
+using authoring::codeLength;
+using authoring::isPlainStatement;
 
 namespace {
 

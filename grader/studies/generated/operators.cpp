@@ -1,5 +1,7 @@
 #include "generated/operators.hpp"
 
+#include "authoring/solution_blocks.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,22 +13,13 @@ namespace ggrade::generated {
 
 namespace {
 
+using authoring::codeLength;
+using authoring::isPlainStatement;
+using authoring::stringsOf;
 using Lines = std::vector<std::string>;
 
 /// A name with its members and subscripts: `light.position`, `sizes[i]`.
 constexpr const char* kSimple = R"([A-Za-z_][\w.]*(?:\[\w+\])?)";
-
-/// From and to of each string in a line.
-std::vector<std::pair<std::size_t, std::size_t>> stringsOf(const std::string& line) {
-  std::vector<std::pair<std::size_t, std::size_t>> found;
-  for (std::size_t at = 0; (at = line.find('"', at)) != line.npos; ++at) {
-    std::size_t end = at + 1;
-    while (end < line.size() && line[end] != '"') end += line[end] == '\\' ? 2 : 1;
-    found.emplace_back(at, end);
-    at = end;
-  }
-  return found;
-}
 
 /// The line once for each match of `pattern` in its code and each text that `others` gives for it.
 /// \param overlapping may matches overlap?
@@ -237,25 +230,6 @@ Lines leftOut(const std::string& line) {
 }
 
 } // namespace
-
-std::size_t codeLength(const std::string& line) {
-  const auto strings = stringsOf(line);
-  for (std::size_t at = 0; (at = line.find("//", at)) != line.npos; at += 2)
-    if (std::ranges::none_of(strings,
-                             [&](const auto& one) { return one.first < at && at < one.second; }))
-      return at;
-  return line.size();
-}
-
-bool isPlainStatement(const std::string& line) {
-  static const std::regex kStatement(
-      R"(\s+(?!(?:return|throw|else|case|using|const|for|if|while|break|continue|discard|struct|in|out|)"
-      R"(uniform|auto|static)\b)[\w:.\->\[\]]+)"
-      R"((?: [-+*/|&]?= [^{};]+|\([^{};]*\)(?:\.[^{};]+)?|\+\+|--);\s*)");
-  static const std::regex kDeclaration(R"(\s+[\w:<>,]+[&*]? \w+(?:\[\w*\])?(?: = .*|\(.*\))?;\s*)");
-  const std::string code = line.substr(0, codeLength(line));
-  return std::regex_match(code, kStatement) && !std::regex_match(code, kDeclaration);
-}
 
 const std::vector<Operator>& operators() {
   static const std::vector<Operator> all = {{"flips a comparison", comparisons},

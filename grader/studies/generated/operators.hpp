@@ -17,11 +17,4 @@ struct Operator {
 /// All kinds that look at one line alone.
 const std::vector<Operator>& operators();
 
-/// How many characters of a line are code: the rest is a comment.
-std::size_t codeLength(const std::string& line);
-
-/// Is the line a whole statement that declares nothing and doesn't jump, such as a call or an
-/// assignment?
-bool isPlainStatement(const std::string& line);
-
 } // namespace ggrade::generated

@@ -13,6 +13,8 @@
 namespace ggrade::generated {
 
 using authoring::BlockLine;
+using authoring::codeLength;
+using authoring::isPlainStatement;
 
 namespace {
 
