@@ -58,6 +58,9 @@ public:
         command["id"] = command["id"].get<std::uint64_t>() + kReferenceImages;
       forEach(command, "image", [](json& id) { id = id.get<std::uint64_t>() + kReferenceImages; });
     }
+    for (const json& command : reference_)
+      if (command.at("op") == "draw")
+        for (const json& stage : command.at("program").at("stages")) stages_.insert(stage);
     std::set<json> defined;
     for (const json& command : reference_)
       if (command.at("op") == "image" && defined.insert(command["id"]).second)
@@ -238,6 +241,15 @@ private:
     return image;
   }
 
+  /// Does it draw with a program that the reference has for something else?
+  bool isAnotherProgram(const json& own, const json& theirs) const {
+    for (const json& stage : own.at("program").at("stages"))
+      if (const auto& wanted = theirs.at("program").at("stages");
+          std::ranges::find(wanted, stage) == wanted.end() && stages_.contains(stage))
+        return true;
+    return false;
+  }
+
   void compareProgram(std::size_t i, const json& own, const json& theirs) {
     const std::string at = std::to_string(i);
     const json &stages = own.at("program").at("stages"),
@@ -307,6 +319,12 @@ private:
   void compareDraw(std::size_t i, const json& theirs) {
     const json own = result_.tape.commands[i]; // patches are looked up in the commands as they are
     const std::string at = std::to_string(i);
+    note("program");
+    if (isAnotherProgram(own, theirs)) {
+      for (const char* key : {"program", "uniforms", "textures", "blocks", "attributes"})
+        patch("program", pointer({at, key}), theirs.at(key));
+      return;
+    }
     compareProgram(i, own, theirs);
     for (const std::string what : {"uniform", "block", "attribute"})
       for (const auto& [name, value] : theirs.at(what + 's').items())
@@ -387,6 +405,7 @@ private:
   json reference_;
   std::vector<PassPair> pairs_;
   std::map<std::uint64_t, std::uint64_t> same_;
+  std::set<json> stages_; ///< of the reference's programs
   std::string role_;                 ///< of the pass that is being compared
   std::optional<std::size_t> first_; ///< its ordinal in the submission
   std::string shaders_;              ///< of the draw that is being compared
@@ -403,7 +422,8 @@ private:
 
 int widthOf(const std::string& unit) {
   if (unit.starts_with("shader ")) return 2;
-  return unit == "attachments" || unit == "framebuffer" || unit == "draws" ? 1 : 0;
+  return unit == "attachments" || unit == "framebuffer" || unit == "draws" || unit == "program" ? 1
+                                                                                                : 0;
 }
 
 bool isState(const std::string& unit) {

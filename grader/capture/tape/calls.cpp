@@ -90,6 +90,7 @@ void draw(GLenum mode, std::span<const Vertices> runs, GLsizei instances, GLuint
   const Taping taping;
   if (!taping) return;
   if (number(GL_TRANSFORM_FEEDBACK_ACTIVE)) return refuse("draws for transform feedback");
+  if (drawsNothing()) return;
   json one = drawingJson("draw");
   one["mode"] = mode;
   one["instances"] = instances;

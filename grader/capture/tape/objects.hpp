@@ -44,6 +44,8 @@ std::uint64_t bufferBlob(GLuint buffer, GLint64 start = 0, GLint64 bytes = -1);
 void linking(GLuint program);
 /// The same, of a program whose sources can't be known.
 void unknownProgram(GLuint program);
+/// There is no program, and the profile is core: no pixel changes.
+bool drawsNothing();
 /// The program in use: `program`, `uniforms`, `blocks`, `textures`, `attributes` of a draw.
 void addProgram(nlohmann::json& draw);
 

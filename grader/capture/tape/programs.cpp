@@ -252,6 +252,11 @@ void unknownProgram(GLuint program) {
   programs()[program] = {};
 }
 
+bool drawsNothing() {
+  return !number(GL_CURRENT_PROGRAM) && !number(GL_PROGRAM_PIPELINE_BINDING) &&
+         (number(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT);
+}
+
 void addProgram(json& draw) {
   const GLuint program = number(GL_CURRENT_PROGRAM);
   if (!program) return refuse("draws without a program object, or with a pipeline of several");
