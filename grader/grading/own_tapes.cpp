@@ -147,7 +147,7 @@ void OwnTapes::learnAnew(const rubric::SceneFolders& scene) {
   for (std::size_t i = 0; i < todos.size(); ++i)
     if (compared[i])
       for (const repair::Difference& one : compared[i]->differences)
-        if (!one.passes.empty() || one.unit.name == "draws") // or the whole pass
+        if (!one.passes.empty() || one.unit.name == "draws" || !one.lacks.empty()) // the whole pass
           add(todos[i], one, one.lacks);
   // What can't be without a TODO, because its whole pass isn't drawn or nothing is, is the work of
   // the step with which it comes.

@@ -88,7 +88,8 @@ public:
     scenes_.push_back(record(scenes[0]));
     std::vector<Unit> found = search(0, {});
     if (found.empty()) throw NotRepaired("the passes' differences don't explain it");
-    if (lossy_.size() == 1) return causesOf(found);
+    if (const auto causes = causesOf(found); lossy_.size() == 1 && areWorkOf(causes, lossy_[0]))
+      return causes;
     scenes_.resize(scenes.size());
     inParallel(scenes.size() - 1, threads_,
                [&](std::size_t i) { scenes_[i + 1] = record(scenes[i + 1]); });
@@ -235,25 +236,6 @@ private:
     for (const auto& level : levels) ofLevel.push_back(tryOut(with(level)));
     for (const Unit& unit : all) ofUnit.push_back(tryOut(with({unit})));
     std::vector<Drawn> drawn = draw(scene, tried);
-    if (getenv("GGDBG")) {
-      fmt::print(stderr, "\nscene {} {} cands {}\n", scene.index, graded_.scenes[scene.index].name, all.size());
-      for (const auto& u : all) fmt::print(stderr, "   {} @ {}\n", u.name, u.role);
-      {
-        tape::Tape t = tape::read(scene.tape);
-        json patched = t.commands.patch(patchOf(scene, tried[ofLevel.back()]));
-        const auto show = [](const json& c) {
-          std::string tex;
-          if (c.contains("textures")) for (auto& [n, a] : c["textures"].items()) for (auto& o : a) tex += " " + n + "=" + (o.contains("image") ? o["image"].dump() : "none");
-          std::string target = c.contains("target") ? c["target"].dump().substr(0, 160) : "";
-          fmt::print(stderr, "{} skip={} {} | {} | vp {}\n", c["op"].get<std::string>(), c.contains("skip"), target, tex, c.contains("state") && c["state"].contains("viewport") ? c["state"]["viewport"].dump() : "");
-        };
-        for (auto& c : patched) { if (c["op"] == "image") { fmt::print(stderr, "image {} {}\n", c["id"].dump(), c.contains("levels") && c["levels"].size() ? c["levels"][0]["width"].dump() + " fmt " + c["levels"][0]["format"].dump() : "-"); continue; }
-          if (c.contains("before")) for (auto& o : c["before"]) { fmt::print(stderr, "   + "); show(o); }
-          show(c); if (c["op"] == "swap") break; }
-      }
-      if (drawn[ofLevel.back()].folder) for (const auto& it : judge({{scene.index, drawn[ofLevel.back()].folder->path()}}, lossy_))
-        for (const auto& c : it.credits) if (c.scene == graded_.scenes[scene.index].name && c.credit < 1) fmt::print(stderr, "   still {} {}: {}\n", it.id, c.credit, it.cause);
-    }
     // What isn't right with all of them isn't right with fewer.
     if (!isRight(scene, drawn[ofLevel.back()])) return {};
     std::vector<std::size_t> order(all.size());
@@ -296,7 +278,7 @@ private:
     std::vector<Drawn> drawn = draw(scene, tried);
     std::vector<Unit> needless;
     for (std::size_t i = 0; i < set.size(); ++i)
-      if (!drawn[i].changed || isRight(scene, drawn[i])) needless.push_back(set[i]);
+      if (isRight(scene, drawn[i])) needless.push_back(set[i]);
     if (needless.size() > 1) {
       // Each alone is needless; together they may not be.
       std::vector<std::vector<Unit>> first; // without the first 1, 2, ... of them
@@ -457,6 +439,12 @@ private:
       return other.todos != cause.todos || isNamed(other);
     });
     return namedAlone ? names(item, cause.unit) : cause.todos.contains(item.step);
+  }
+
+  bool areWorkOf(const std::vector<ProvedCause>& causes, const std::string& item) const {
+    return std::ranges::all_of(causes, [&](const ProvedCause& cause) {
+      return isWorkOf(cause, declared_.at(item), causes);
+    });
   }
 
   bool isNamed(const ProvedCause& cause) const {

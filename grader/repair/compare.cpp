@@ -21,6 +21,9 @@ namespace {
 /// The reference's images are numbered from here on, unless they are the submission's.
 constexpr std::uint64_t kReferenceImages = 1'000'000;
 
+/// A program with so many of another's lines is a changed one of it.
+constexpr double kAlike = 0.5;
+
 std::string textOf(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
@@ -74,6 +77,8 @@ public:
       else
         rest.push_back(own[i]);
     commands.insert(commands.end(), rest.begin(), rest.end());
+    for (const json& command : own)
+      if (command.contains("program")) programs_.insert(command["program"]);
     for (json& command : commands)
       if (command.at("op") != "image") command["before"] = json::object();
   }
@@ -175,7 +180,7 @@ private:
   }
 
   void note(const std::string& unit) {
-    if (first_) result_.compared[{role_, unit}].insert(shaders_);
+    if (first_ || isPutIn_) result_.compared[{role_, unit}].insert(shaders_);
   }
 
   void patch(const std::string& unit, const std::string& path, const json& value) {
@@ -241,17 +246,17 @@ private:
     return image;
   }
 
-  /// Does it draw with a program that the reference has for something else?
-  bool isAnotherProgram(const json& own, const json& theirs) const {
-    for (const json& stage : own.at("program").at("stages"))
+  /// Is it a program that the reference has for something else than this draw?
+  bool isAnotherProgram(const json& program, const json& theirs) const {
+    for (const json& stage : program.at("stages"))
       if (const auto& wanted = theirs.at("program").at("stages");
           std::ranges::find(wanted, stage) == wanted.end() && stages_.contains(stage))
         return true;
     return false;
   }
 
-  void compareProgram(std::size_t i, const json& own, const json& theirs) {
-    const std::string at = std::to_string(i);
+  /// \param at where the submission's draw stands
+  void compareProgram(const std::string& at, const json& own, const json& theirs) {
     const json &stages = own.at("program").at("stages"),
                &wanted = theirs.at("program").at("stages");
     if (stages.size() != wanted.size()) return;
@@ -263,7 +268,7 @@ private:
       const std::string source = textOf(result_.tape.blobs.at(a)),
                         right = textOf(result_.tape.blobs.at(b));
       const auto functions = functionsOf(source), rightOnes = functionsOf(right);
-      const std::string path = pointer({at, "program", "stages", std::to_string(k), "blob"});
+      const std::string path = at + pointer({"program", "stages", std::to_string(k), "blob"});
       bool differs = restOf(source) != restOf(right) || functions.size() != rightOnes.size();
       std::set<std::string> lacksInAll;
       bool addsInAll = std::ranges::any_of(
@@ -304,7 +309,7 @@ private:
                   const json& theirs) {
     for (const char* key : {"uniforms", "textures", "blocks", "attributes"})
       for (const auto& [name, value] : theirs.at(key).items())
-        if (!own.at(key).contains(name)) patch(unit, pointer({at, key, name}), value);
+        if (!own.at(key).contains(name)) patch(unit, at + pointer({key, name}), value);
   }
 
   std::uint64_t blobOf(const std::string& text) {
@@ -318,21 +323,21 @@ private:
 
   void compareDraw(std::size_t i, const json& theirs) {
     const json own = result_.tape.commands[i]; // patches are looked up in the commands as they are
-    const std::string at = std::to_string(i);
+    const std::string at = pointer({std::to_string(i)});
     note("program");
-    if (isAnotherProgram(own, theirs)) {
+    if (isAnotherProgram(own.at("program"), theirs)) {
       for (const char* key : {"program", "uniforms", "textures", "blocks", "attributes"})
-        patch("program", pointer({at, key}), theirs.at(key));
+        patch("program", at + pointer({key}), theirs.at(key));
       return;
     }
-    compareProgram(i, own, theirs);
+    compareProgram(at, own, theirs);
     for (const std::string what : {"uniform", "block", "attribute"})
       for (const auto& [name, value] : theirs.at(what + 's').items())
         if (own.at(what + 's').contains(name))
-          patch(what + ' ' + name, pointer({at, what + 's', name}), value);
+          patch(what + ' ' + name, at + pointer({what + 's', name}), value);
     for (const auto& [name, all] : theirs.at("textures").items())
       if (own.at("textures").contains(name))
-        compareTextures(name, own["textures"][name], all, pointer({at, "textures", name}));
+        compareTextures(name, own["textures"][name], all, at + pointer({"textures", name}));
   }
 
   /// Which textures a sampler reads, and how these are sampled.
@@ -391,24 +396,77 @@ private:
     for (const CommandPair& both : pair.commands) {
       const std::string unit = onlyClears ? "clear" : "draws";
       if (!both.one && both.before)
-        patch(unit,
-              pointer({std::to_string(*both.before), "before", fmt::format("{:06}", *both.other)}),
-              reference_[*both.other]);
-      if (!both.one && both.before && reference_[*both.other].at("op") == "draw")
-        putIn_[{role_, unit}].insert(reference_[*both.other].at("program").at("stages"));
+        putIn(unit, *both.before, *both.other);
       else if (!both.other)
         patch(unit, pointer({std::to_string(*both.one), "skip"}), true);
     }
+  }
+
+  /// A command of the reference's, before one of the submission's: a draw with the submission's
+  /// shaders where it has them.
+  void putIn(const std::string& unit, std::size_t before, std::size_t other) {
+    const json& theirs = reference_[other];
+    json own = theirs;
+    own["skip"] = true;
+    const std::string at =
+        pointer({std::to_string(before), "before", fmt::format("{:06}", other)});
+    const bool isDraw = theirs.at("op") == "draw";
+    const json* program = isDraw ? programLike(theirs) : nullptr;
+    if (program) own["program"] = *program;
+    result_.tape.commands[json::json_pointer(at)] = own;
+    patch(unit, at + "/skip", false);
+    if (!isDraw) return;
+    putIn_[{role_, unit}].insert(theirs.at("program").at("stages"));
+    if (!program) return;
+    isPutIn_ = true;
+    shaders_ = shadersOf(result_.tape.blobs, theirs);
+    compareProgram(at, own, theirs);
+    shaders_.clear();
+    isPutIn_ = false;
+  }
+
+  /// The submission's program that is most like the one that the reference draws this with. Null:
+  /// none is like it.
+  const json* programLike(const json& theirs) {
+    const auto [known, isNew] = likest_.try_emplace(theirs.at("program").at("stages"), nullptr);
+    if (!isNew) return known->second;
+    double best = kAlike;
+    for (const json& program : programs_) {
+      const double likeness = likenessOf(program, theirs["program"]);
+      if (likeness < best || isAnotherProgram(program, theirs)) continue;
+      best = likeness;
+      known->second = &program;
+    }
+    return known->second;
+  }
+
+  /// The share of the wanted program's lines that a program has.
+  double likenessOf(const json& program, const json& wanted) const {
+    std::size_t all = 0, found = 0;
+    for (const json& stage : wanted.at("stages")) {
+      const auto lines = linesOf(textOf(result_.tape.blobs.at(stage.at("blob"))));
+      all += lines.size();
+      for (const json& own : program.at("stages")) {
+        if (own.at("stage") != stage.at("stage")) continue;
+        const auto ownLines = linesOf(textOf(result_.tape.blobs.at(own.at("blob"))));
+        found += std::size_t(
+            std::ranges::count_if(lines, [&](const auto& line) { return ownLines.contains(line); }));
+      }
+    }
+    return all == 0 ? 0 : double(found) / double(all);
   }
 
   Comparison result_;
   json reference_;
   std::vector<PassPair> pairs_;
   std::map<std::uint64_t, std::uint64_t> same_;
-  std::set<json> stages_; ///< of the reference's programs
+  std::set<json> stages_;   ///< of the reference's programs
+  std::set<json> programs_; ///< the submission's
+  std::map<json, const json*> likest_;
   std::string role_;                 ///< of the pass that is being compared
   std::optional<std::size_t> first_; ///< its ordinal in the submission
   std::string shaders_;              ///< of the draw that is being compared
+  bool isPutIn_ = false;             ///< which the submission hasn't got
   std::map<Unit, Difference> found_;
   std::set<std::pair<std::string, json>> drawn_; ///< roles, and the shaders that both draw with
   std::set<std::string> drawsOther_;         ///< roles in which the submission has draws of its own

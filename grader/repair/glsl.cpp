@@ -39,6 +39,18 @@ std::string wordsOf(const std::string& text) {
   return words;
 }
 
+/// The lines from `begin` to `end` that hold more than a brace, each as its words.
+std::set<std::string> linesIn(const std::string& text, std::size_t begin, std::size_t end) {
+  std::set<std::string> lines;
+  for (std::size_t at = begin; at < end;) {
+    const std::size_t line = std::min(text.find('\n', at), end);
+    if (std::string words = wordsOf(text.substr(at, line - at)); words.size() > 1)
+      lines.insert(std::move(words));
+    at = line + 1;
+  }
+  return lines;
+}
+
 /// The closing bracket to the one at `open`, or the end.
 std::size_t closing(const std::string& text, std::size_t open, char opens, char closes) {
   int depth = 0;
@@ -84,12 +96,7 @@ std::map<std::string, GlslFunction> functionsOf(const std::string& source) {
     function.begin = declarationStart(text, nameStart);
     function.end = std::min(closing(text, body, '{', '}') + 1, text.size());
     function.words = wordsOf(text.substr(function.begin, function.end - function.begin));
-    for (std::size_t at = function.begin; at < function.end;) {
-      const std::size_t line = std::min(text.find('\n', at), function.end);
-      if (std::string words = wordsOf(text.substr(at, line - at)); words.size() > 1)
-        function.lines.insert(std::move(words));
-      at = line + 1;
-    }
+    function.lines = linesIn(text, function.begin, function.end);
     const std::string name = text.substr(nameStart, nameEnd - nameStart);
     std::string key = name;
     for (int k = 2; functions.contains(key); ++k) key = name + ' ' + std::to_string(k);
@@ -104,6 +111,10 @@ std::string restOf(const std::string& source) {
   for (const auto& [name, function] : functionsOf(source))
     for (std::size_t i = function.begin; i < function.end; ++i) text[i] = ' ';
   return wordsOf(text);
+}
+
+std::set<std::string> linesOf(const std::string& source) {
+  return linesIn(withoutComments(source), 0, source.size());
 }
 
 } // namespace ggrade::repair

@@ -21,4 +21,7 @@ std::map<std::string, GlslFunction> functionsOf(const std::string& source);
 /// The source without comments and functions: equal rests declare the same.
 std::string restOf(const std::string& source);
 
+/// The lines of the source that stand for something: without comments and lone braces.
+std::set<std::string> linesOf(const std::string& source);
+
 } // namespace ggrade::repair

@@ -15,6 +15,7 @@
 /// - `clear` (colors, depths, stencils: which; color, depth, stencil: to what), `clearBuffer`:
 ///   state, target.
 /// - `blit`, `copy`, `copyImage`, `mipmap`: between images.
+/// - `program`: one that was linked and had drawn nothing when the first frame was complete.
 /// - `swap`: a frame is complete.
 ///
 /// Names of values are the field's own; enumerants are OpenGL's numbers. A command is complete in

@@ -7,6 +7,7 @@
 #include "capture/tape/objects.hpp"
 #include "capture/tape/writer.hpp"
 
+#include <mutex>
 #include <optional>
 
 namespace ggrade::capture::tape {
@@ -216,7 +217,11 @@ void refuseCall(const char* name) {
 void swap() {
   {
     const Taping taping;
-    if (taping) command({{"op", "swap"}});
+    if (taping) {
+      static std::once_flag first;
+      std::call_once(first, addUnusedPrograms);
+      command({{"op", "swap"}});
+    }
   }
   frameEnded();
 }

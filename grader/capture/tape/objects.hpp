@@ -44,6 +44,8 @@ std::uint64_t bufferBlob(GLuint buffer, GLint64 start = 0, GLint64 bytes = -1);
 void linking(GLuint program);
 /// The same, of a program whose sources can't be known.
 void unknownProgram(GLuint program);
+/// Writes down the programs that were linked and have drawn nothing yet.
+void addUnusedPrograms();
 /// There is no program, and the profile is core: no pixel changes.
 bool drawsNothing();
 /// The program in use: `program`, `uniforms`, `blocks`, `textures`, `attributes` of a draw.

@@ -257,6 +257,19 @@ bool drawsNothing() {
          (number(GL_CONTEXT_PROFILE_MASK) & GL_CONTEXT_CORE_PROFILE_BIT);
 }
 
+void addUnusedPrograms() {
+  for (auto& [program, linked] : programs()) {
+    if (linked.definition.is_null() || linked.isAsked) continue;
+    json definition = linked.definition;
+    json& locations = definition["attributes"] = json::object();
+    for (GLint i = 0; i < resources(program, GL_PROGRAM_INPUT); ++i)
+      if (const GLint at = resource(program, GL_PROGRAM_INPUT, i, GL_LOCATION); at >= 0)
+        locations[resourceName(program, GL_PROGRAM_INPUT, i)] = at;
+    definition["outputs"] = outputsOf(program);
+    command({{"op", "program"}, {"program", definition}});
+  }
+}
+
 void addProgram(json& draw) {
   const GLuint program = number(GL_CURRENT_PROGRAM);
   if (!program) return refuse("draws without a program object, or with a pipeline of several");

@@ -43,7 +43,6 @@ public:
       if (frames == 0) return;
       if (command.contains("before"))
         for (const json& other : command["before"]) playOne(other);
-      if (command.contains("skip")) continue;
       const std::string op = command.at("op");
       if (op == "swap") {
         glfwSwapBuffers(window_);
@@ -57,6 +56,7 @@ public:
 
 private:
   void playOne(const json& command) {
+    if (command.value("skip", false)) return;
     const std::string op = command.at("op");
     if (op == "image") {
       images_.define(command);
@@ -74,7 +74,7 @@ private:
       copyImage(command);
     } else if (op == "mipmap") {
       mipmap(command);
-    } else if (op != "context") {
+    } else if (op != "context" && op != "program") {
       throw std::runtime_error("a command of an unknown kind: " + op);
     }
   }
