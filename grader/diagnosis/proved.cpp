@@ -56,6 +56,7 @@ std::string nameOf(const results::ProvedCause& cause) {
   if (unit == "colorMask") return say("the colour mask");
   if (unit == "scissor") return say("the scissor test");
   if (unit == "polygonOffset") return say("the polygon offset");
+  if (unit == "mesh") return say("the mesh that is drawn");
   if (unit == "program") return say("which program draws");
   if (unit == "framebuffer") return say("which framebuffer is bound");
   if (unit == "attachments") return say("the images that are drawn into");

@@ -134,6 +134,14 @@ bool areLater(const std::vector<results::ProvedCause>& causes, const std::string
   });
 }
 
+/// Of shaders it is known by the line whose work they are.
+bool isOfItsStep(const Mistake& mistake, const std::vector<results::ProvedCause>& causes) {
+  return std::ranges::all_of(causes, [&](const results::ProvedCause& cause) {
+    const bool isShader = cause.unit.starts_with("function ") || cause.unit.starts_with("shader ");
+    return !isShader || cause.todos.empty() || cause.todos.contains(mistake.step);
+  });
+}
+
 /// What was proved is surer than what the picture resembles. A mistake of the catalogue is named
 /// where it changes what was proved, too.
 Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes,
@@ -141,7 +149,7 @@ Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes
                     const Agrees& agrees) {
   const auto isProved = [&](const std::string& id) {
     const Mistake* mistake = catalogue.mistake(id);
-    return mistake && agrees(*mistake, causes);
+    return mistake && isOfItsStep(*mistake, causes) && agrees(*mistake, causes);
   };
   if (cause.id.starts_with("step.") && areLater(causes, cause.id, part)) {
     std::erase_if(cause.alike, [&](const std::string& other) {

@@ -54,20 +54,6 @@ common(std::size_t a, std::size_t b, const std::function<int(std::size_t, std::s
   return pairs;
 }
 
-/// What a draw draws, whatever it draws it with; of other commands what they are.
-json meshOf(const json& draw) {
-  if (draw.at("op") != "draw") return draw.at("op");
-  json mesh = {draw.at("mode"), draw.at("calls"), draw.at("instances")};
-  json blobs = json::array();
-  for (const auto& [name, columns] : draw.at("attributes").items())
-    for (const json& column : columns) blobs.push_back(column.value("blob", json()));
-  std::sort(blobs.begin(), blobs.end());
-  blobs.erase(std::unique(blobs.begin(), blobs.end()), blobs.end());
-  mesh.push_back(blobs);
-  if (draw.contains("indices")) mesh.push_back(draw["indices"]);
-  return mesh;
-}
-
 /// What a command draws into, in a few words.
 std::string placeOf(const json& command) {
   if (!command.contains("target")) return "image";
@@ -81,18 +67,26 @@ std::string placeOf(const json& command) {
 
 /// A command as it is compared with others.
 struct Seen {
+  bool isDraw;
   json mesh;
   std::string place;
   json shaders;
   Seen(const json& command)
-      : mesh(meshOf(command)), place(placeOf(command)),
+      : isDraw(command.at("op") == "draw"), mesh(meshOf(command)), place(placeOf(command)),
         shaders(command.contains("program") ? command["program"].at("stages") : json()) {}
 };
 
-/// 0: not the same. What is drawn counts first, then where, then with which shaders.
+bool shareShader(const Seen& a, const Seen& b) {
+  return std::ranges::any_of(a.shaders, [&](const json& stage) {
+    return std::ranges::find(b.shaders, stage) != b.shaders.end();
+  });
+}
+
+/// 0: not the same. What is drawn counts first, then where, then with which shaders. What draws
+/// another mesh there, in part with the same shaders, is the same if nothing else is.
 int likeness(const Seen& a, const Seen& b) {
-  if (a.mesh != b.mesh) return 0;
-  return 4 + 2 * (a.place == b.place) + (a.shaders == b.shaders);
+  if (a.mesh == b.mesh) return 16 + 2 * (a.place == b.place) + (a.shaders == b.shaders);
+  return a.isDraw && b.isDraw && a.place == b.place && shareShader(a, b);
 }
 
 std::size_t draws(const json& commands, const Pass& pass) {
@@ -101,6 +95,19 @@ std::size_t draws(const json& commands, const Pass& pass) {
 }
 
 } // namespace
+
+json meshOf(const json& draw) {
+  if (draw.at("op") != "draw") return draw.at("op");
+  json mesh = {draw.at("mode"), draw.at("calls"), draw.at("instances")};
+  json blobs = json::array();
+  for (const auto& [name, columns] : draw.at("attributes").items())
+    for (const json& column : columns) blobs.push_back(column.value("blob", json()));
+  std::sort(blobs.begin(), blobs.end());
+  blobs.erase(std::unique(blobs.begin(), blobs.end()), blobs.end());
+  mesh.push_back(blobs);
+  if (draw.contains("indices")) mesh.push_back(draw["indices"]);
+  return mesh;
+}
 
 std::vector<Pass> passesOf(const json& commands) {
   std::vector<Pass> passes;

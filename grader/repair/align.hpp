@@ -21,6 +21,9 @@ struct Pass {
 /// The passes of a tape's commands, in order.
 std::vector<Pass> passesOf(const nlohmann::json& commands);
 
+/// What a draw draws, whatever it draws it with; of other commands what they are.
+nlohmann::json meshOf(const nlohmann::json& command);
+
 /// The shaders that a command draws with, as one word; empty: it doesn't draw.
 std::string shadersOf(const std::vector<std::vector<std::byte>>& blobs,
                       const nlohmann::json& command);

@@ -331,9 +331,14 @@ private:
       return;
     }
     compareProgram(at, own, theirs);
+    note("mesh");
+    const bool isSameMesh = meshOf(own) == meshOf(theirs);
+    if (!isSameMesh)
+      for (const char* key : {"attributes", "indices", "mode", "calls", "instances", "baseInstance"})
+        if (theirs.contains(key)) patch("mesh", at + pointer({key}), theirs[key]);
     for (const std::string what : {"uniform", "block", "attribute"})
       for (const auto& [name, value] : theirs.at(what + 's').items())
-        if (own.at(what + 's').contains(name))
+        if (own.at(what + 's').contains(name) && (isSameMesh || what != "attribute"))
           patch(what + ' ' + name, at + pointer({what + 's', name}), value);
     for (const auto& [name, all] : theirs.at("textures").items())
       if (own.at("textures").contains(name))
@@ -480,8 +485,9 @@ private:
 
 int widthOf(const std::string& unit) {
   if (unit.starts_with("shader ")) return 2;
-  return unit == "attachments" || unit == "framebuffer" || unit == "draws" || unit == "program" ? 1
-                                                                                                : 0;
+  static const std::set<std::string> kWider = {"attachments", "framebuffer", "draws", "program",
+                                               "mesh"};
+  return kWider.contains(unit) ? 1 : 0;
 }
 
 bool isState(const std::string& unit) {

@@ -63,7 +63,7 @@ struct Figures {
 bool isDrawn(const Case& found);
 
 /// Sets `lost`, `fate` and `told` by what was found.
-/// \param most what a right program earns
+/// \param most what a right program earns, and what its step's bonus lost of itself
 /// \param heading of the handout's step about `found.todo`, as diagnoses name it
 void settle(Case& found, double most, const std::string& heading);
 

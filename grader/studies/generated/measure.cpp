@@ -55,7 +55,8 @@ public:
     gradeAll();
     lookAtUnseen();
     for (Generated& one : all_) {
-      settle(one.found, target_.maxScore(), grading::stepHeading(part_, one.found.todo));
+      settle(one.found, target_.maxScore() + bonusOf(one.found),
+             grading::stepHeading(part_, one.found.todo));
       figures_.cases.push_back(one.found);
     }
     measureAreas();
@@ -123,7 +124,7 @@ private:
       found.change = mutant.change + ": " + describe(mutant);
       found.allowed = kBeyondStep;
       for (const ItemDeclaration& item : target_.items())
-        if (item.step == mutant.todo && item.kind == results::ItemKind::gain)
+        if (item.step == mutant.todo && item.kind != results::ItemKind::keep)
           found.allowed += item.points;
       const fs::path files = folderOf(found.name);
       grading::writeFiles(target_.assignment, {solutionFolder_}, files);
@@ -239,6 +240,18 @@ private:
     for (std::size_t i = 0; i < wanted.size(); ++i)
       if (compare(windows[i], wanted[i]).wrongShare > kShown) return true;
     return false;
+  }
+
+  /// What the bonus items of a wrong program's step lost: such a fault may cost nothing else.
+  double bonusOf(const Case& found) const {
+    double lost = 0;
+    for (const ItemDeclaration& item : target_.items()) {
+      const auto earned = found.score.earned.find(item.id);
+      if (item.kind == results::ItemKind::bonus && item.step == found.todo &&
+          earned != found.score.earned.end())
+        lost += item.points - earned->second;
+    }
+    return lost;
   }
 
   void measureAreas() {
