@@ -93,7 +93,7 @@ GGRADE_ITEM("ssao.samples", moving(pointsCounted));
 
 /// Less is open, and more than this too dark: a seam.
 constexpr float kOpen = 0.9f, kSeam = 0.06f;
-constexpr double kSeamsFree = 0.1, kSeamsGone = 0.18;
+constexpr double kSeamsFree = 0.13, kSeamsGone = 0.18;
 
 /// The pixels that are open in the reference, and those of them that are too dark in `open`.
 struct Seams {
