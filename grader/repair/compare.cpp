@@ -131,9 +131,11 @@ private:
   /// that no two of the reference's become one.
   void mapImages() {
     std::map<std::uint64_t, std::uint64_t> same; // the reference's: the submission's
+    const auto isTaken = [&](const json& own) {
+      return std::ranges::any_of(same, [&](const auto& one) { return own == one.second; });
+    };
     const auto pairUp = [&](const json& theirs, const json& own) {
-      if (std::ranges::none_of(same, [&](const auto& one) { return own == one.second; }))
-        same.try_emplace(theirs, own);
+      if (!isTaken(own)) same.try_emplace(theirs, own);
     };
     json& commands = result_.tape.commands;
     for (const PassPair& pair : pairs_)
@@ -166,7 +168,7 @@ private:
       if (theirs.at("op") != "image" || same.contains(theirs.at("id"))) continue;
       for (const json& own : commands)
         if (own.at("op") == "image" && own.at("id").get<std::uint64_t>() < kReferenceImages &&
-            definition(own) == definition(theirs)) {
+            !isTaken(own.at("id")) && definition(own) == definition(theirs)) {
           same.try_emplace(theirs.at("id"), own.at("id"));
           break;
         }

@@ -1,5 +1,6 @@
 // Programs that nobody has written: what is drawn, and what is said of what becomes of it.
 
+#include "authoring/solution_blocks.hpp"
 #include "generated/figures.hpp"
 #include "generated/mutants.hpp"
 #include "generated/operators.hpp"

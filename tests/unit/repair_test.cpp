@@ -27,6 +27,10 @@ std::vector<std::string> names(const Comparison& comparison) {
   return all;
 }
 
+json sampled(int image, int filter = 9729) {
+  return {{"unit", 0}, {"target", 3553}, {"image", image}, {"minFilter", filter}};
+}
+
 TEST(Repair, EqualTapesDifferInNothing) {
   EXPECT_THAT(names(compare(reference(), reference())), IsEmpty());
 }
@@ -141,8 +145,8 @@ TEST(Repair, AnotherFormatIsTheAttachments) {
 
 TEST(Repair, APassInTheWrongPlaceIsTheRightPass) {
   tape::Tape submission = reference(), right = reference();
-  right.commands[6]["textures"]["uReflection"] = {{{"unit", 0}, {"image", 0}}};
-  submission.commands[6]["textures"]["uReflection"] = {{{"unit", 0}, {"image", 0}}};
+  right.commands[6]["textures"]["uReflection"] = {sampled(0)};
+  submission.commands[6]["textures"]["uReflection"] = {sampled(0)};
   for (const std::size_t i : {2U, 3U}) submission.commands[i]["target"] = window();
   // It is first used, and so defined, where it is sampled.
   const json defined = submission.commands[1];
@@ -166,9 +170,106 @@ TEST(Repair, APassThatLacksIsPutBeforeTheNext) {
   EXPECT_EQ(patched[2]["before"].size(), 2U);
   EXPECT_TRUE(comparison.differences[0].isUnseen);
   EXPECT_EQ(patched[2]["before"]["000003"]["op"], "draw");
-  std::set<std::string> roles; // that both have
-  for (const auto& [unit, shaders] : comparison.compared) roles.insert(unit.role);
-  EXPECT_THAT(roles, testing::SizeIs(1));
+  std::map<std::string, std::set<std::string>> compared; // units that both have, by role
+  for (const auto& [unit, shaders] : comparison.compared)
+    compared[unit.role].insert(unit.name.substr(0, unit.name.find(' ')));
+  ASSERT_THAT(compared, testing::SizeIs(2));
+  EXPECT_THAT(compared.begin()->second, UnorderedElementsAre("function", "shader"))
+      << "the submission draws with them elsewhere";
+}
+
+/// Another program of which no line is that of the sample's.
+const char* const kScreen = "void main() { gl_FragColor = vec4(1); }\n";
+
+TEST(Repair, ADrawThatLacksIsPutInWithTheSubmissionsShader) {
+  tape::Tape right = reference();
+  right.blobs.push_back(blob(kScreen));
+  for (const std::size_t i : {5U, 6U}) right.commands[i]["program"]["stages"][0]["blob"] = 3;
+  tape::Tape submission = right;
+  std::string source = kShader;
+  source.replace(source.find("p.z < uBias"), 11, "p.z > uBias");
+  submission.blobs[0] = blob(source);
+  json linked = {{"op", "program"}, {"program", submission.commands[3]["program"]}};
+  for (int i = 0; i < 3; ++i) submission.commands.erase(1);
+  submission.commands.insert(submission.commands.end() - 1, linked);
+  const Comparison comparison = compare(submission, right);
+  ASSERT_THAT(names(comparison),
+              ElementsAre("- function visibility in fragment", "- draws", "- shader fragment"));
+  EXPECT_TRUE(comparison.differences[1].isUnseen);
+  const auto shaderOf = [&](const json& commands) {
+    const json& drawn = commands[2]["before"]["000003"];
+    EXPECT_EQ(drawn["skip"], false);
+    return comparison.tape.blobs.at(drawn["program"]["stages"][0]["blob"]);
+  };
+  json patched = comparison.tape.commands.patch(comparison.differences[1].patch);
+  EXPECT_EQ(shaderOf(patched), blob(source));
+  patched = patched.patch(comparison.differences[0].patch);
+  EXPECT_EQ(shaderOf(patched), blob(kShader));
+  EXPECT_EQ(comparison.tape.commands[2]["before"]["000003"]["skip"], true) << "as it was";
+}
+
+TEST(Repair, WhereNoProgramIsLikeItTheReferencesDraws) {
+  tape::Tape right = reference();
+  right.blobs.push_back(blob(kScreen));
+  for (const std::size_t i : {5U, 6U}) right.commands[i]["program"]["stages"][0]["blob"] = 3;
+  tape::Tape submission = right;
+  for (int i = 0; i < 3; ++i) submission.commands.erase(1);
+  const Comparison comparison = compare(submission, right);
+  ASSERT_THAT(names(comparison), ElementsAre("- draws"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
+  const json& drawn = patched[2]["before"]["000003"];
+  EXPECT_EQ(comparison.tape.blobs.at(drawn["program"]["stages"][0]["blob"]), blob(kShader));
+}
+
+TEST(Repair, AnotherMeshIsNoOtherDraw) {
+  tape::Tape submission = reference();
+  submission.commands[3] = draw(texture(0), 8, 2, 0.5);
+  const Comparison comparison = compare(submission, reference());
+  ASSERT_THAT(names(comparison), ElementsAre("0 uniform uLight", "0 mesh"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[1].patch);
+  EXPECT_EQ(comparison.tape.blobs.at(patched[4]["attributes"]["position"][0]["blob"]),
+            blob("mesh"));
+}
+
+TEST(Repair, WhichTextureAndHowItIsSampledAreTwoThings) {
+  tape::Tape right = reference();
+  right.commands[6]["textures"]["uReflection"] = {sampled(0)};
+  tape::Tape submission = right;
+  submission.commands[6]["textures"]["uReflection"] = {sampled(0, 9987)};
+  EXPECT_THAT(names(compare(submission, right)), ElementsAre("1 sampler uReflection"));
+  submission.commands[6]["textures"]["uReflection"] = {{{"unit", 0}, {"target", 3553}}};
+  EXPECT_THAT(names(compare(submission, right)),
+              UnorderedElementsAre("1 texture uReflection", "1 sampler uReflection"));
+}
+
+TEST(Repair, ImagesAreNotTakenForTwoOfTheReferences) {
+  // Both passes draw into one texture.
+  tape::Tape right = reference();
+  right.commands.insert(right.commands.begin() + 4,
+                        {image(1, 32856), clear(texture(1), 8), draw(texture(1), 8, 2)});
+  tape::Tape submission = right;
+  for (const std::size_t i : {5U, 6U}) submission.commands[i]["target"] = texture(0);
+  const Comparison comparison = compare(submission, right);
+  ASSERT_THAT(names(comparison), ElementsAre("1 attachments"));
+  const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
+  const auto drawnInto = [](const json& command) {
+    return command["target"]["attachments"]["color0"]["image"].get<int>();
+  };
+  std::vector<int> images;
+  for (const json& command : patched)
+    if (command["op"] == "draw" && !command["target"].contains("window"))
+      images.push_back(drawnInto(command));
+  ASSERT_EQ(images.size(), 2U);
+  EXPECT_NE(images[0], images[1]);
+}
+
+TEST(Repair, AProgramForSomethingElseIsNamedAsSuch) {
+  tape::Tape right = reference();
+  right.blobs.push_back(blob(kScreen));
+  right.commands[6]["program"]["stages"][0]["blob"] = 3;
+  tape::Tape submission = right;
+  submission.commands[3]["program"]["stages"][0]["blob"] = 3;
+  EXPECT_THAT(names(compare(submission, right)), ElementsAre("0 program"));
 }
 
 TEST(Repair, WhatIsNoTapeIsAnError) {
