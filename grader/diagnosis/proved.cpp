@@ -52,6 +52,7 @@ std::string nameOf(const results::ProvedCause& cause) {
   if (unit == "copy") return say("what is copied, and to where");
   if (unit == "depth") return say("the depth test");
   if (unit == "stencil") return say("the stencil test");
+  if (unit == "stencil operations") return say("what is counted in the stencil buffer");
   if (unit == "blend" || unit == "blendColor") return say("the blending");
   if (unit == "colorMask") return say("the colour mask");
   if (unit == "scissor") return say("the scissor test");

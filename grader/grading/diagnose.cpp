@@ -30,11 +30,17 @@ std::string stepOfWorst(const results::Result& result, const Part& part) {
   return worst ? worst->step : std::string();
 }
 
-/// "Step 3" of an unfinished program: the steps before it show all that it shows.
-void describeStep(const Cause& cause, const Part& part, Diagnosis& words) {
+/// How many steps an unfinished program may have: some show nothing.
+std::size_t stepsDone(const Cause& cause) {
   std::size_t done = std::stoul(cause.id.substr(5));
   for (const std::string& other : cause.alike)
     if (other.starts_with("step.")) done = std::max(done, std::size_t(std::stoul(other.substr(5))));
+  return done;
+}
+
+/// "Step 3" of an unfinished program: the steps before it show all that it shows.
+void describeStep(const Cause& cause, const Part& part, Diagnosis& words) {
+  const std::size_t done = stepsDone(cause);
   words.step = stepHeading(part, part.todos.at(done).id);
   const bool nothing =
       cause.id == "step.0" || std::ranges::find(cause.alike, "step.0") != cause.alike.end();
@@ -116,11 +122,14 @@ std::vector<results::ProvedCause> causesIn(const Part& part, const results::Resu
   return causes;
 }
 
-/// Of the first of them that is one step's work; empty: none is.
+/// Of the first of them that is one step's work, or that one step's calls change; empty: none is.
 std::string stepOf(const std::vector<results::ProvedCause>& causes, const Part& part) {
-  const auto one = std::ranges::find_if(
-      causes, [](const results::ProvedCause& cause) { return cause.todos.size() == 1; });
-  return one == causes.end() ? std::string() : stepHeading(part, *one->todos.begin());
+  for (const auto steps : {&results::ProvedCause::todos, &results::ProvedCause::changedBy})
+    for (const results::ProvedCause& cause : causes)
+      if (const auto& own = cause.*steps;
+          own.size() == 1 && own.begin()->starts_with(part.id + '.'))
+        return stepHeading(part, *own.begin());
+  return {};
 }
 
 /// Are all causes the work of steps that the program up to this one hasn't got?
@@ -155,7 +164,10 @@ Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes
     std::erase_if(cause.alike, [&](const std::string& other) {
       return other.starts_with("step.") && !areLater(causes, other, part);
     });
-    return inWords(cause, graded, part, catalogue);
+    const std::string& next = part.todos.at(stepsDone(cause)).id;
+    // A later step's fault can look so, too.
+    if (std::ranges::any_of(causes, [&](const auto& one) { return one.todos.contains(next); }))
+      return inWords(cause, graded, part, catalogue);
   }
   if (!cause.generic && !isProved(cause.id)) {
     const auto other = std::ranges::find_if(cause.alike, isProved);

@@ -329,8 +329,9 @@ private:
   /// whose statement decides it.
   void blameDeciders(std::vector<ProvedCause>& causes) {
     std::vector<std::set<std::string>> deciders;
-    for (const ProvedCause& cause : causes) {
+    for (ProvedCause& cause : causes) {
       deciders.push_back(own_.decidersOf({cause.role, cause.unit}));
+      if (cause.todos.empty()) cause.changedBy = deciders.back();
       if (cause.todos.empty() || cause.isUnseen || deciders.back().empty())
         deciders.back() = cause.todos;
     }

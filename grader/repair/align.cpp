@@ -154,6 +154,10 @@ std::string roleOf(const std::vector<std::vector<std::byte>>& blobs, const json&
   return fmt::format("{}: {}", placeOf(commands[pass.commands.front()]), fmt::join(parts, ", "));
 }
 
+std::string drawRole(const std::vector<std::vector<std::byte>>& blobs, const json& draw) {
+  return fmt::format("{}: draw{}", placeOf(draw), shadersOf(blobs, draw));
+}
+
 std::vector<PassPair> align(const json& one, const json& other) {
   const std::vector<Pass> a = passesOf(one), b = passesOf(other);
   std::vector<PassPair> pairs;

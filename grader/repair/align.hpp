@@ -33,6 +33,9 @@ std::string shadersOf(const std::vector<std::vector<std::byte>>& blobs,
 std::string roleOf(const std::vector<std::vector<std::byte>>& blobs, const nlohmann::json& commands,
                    const Pass& pass);
 
+/// The role of a pass with this draw alone.
+std::string drawRole(const std::vector<std::vector<std::byte>>& blobs, const nlohmann::json& draw);
+
 struct CommandPair {
   std::optional<std::size_t> one, other; ///< indices; nothing: the other tape alone has it
   /// Where the other alone has it: the first's command (or swap) that it would come before;

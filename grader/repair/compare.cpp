@@ -90,7 +90,7 @@ public:
     for (const Pass& pass : passesOf(result_.tape.commands))
       for (const std::size_t command : pass.commands) ordinals[command] = pass.ordinal;
     for (const PassPair& pair : pairs_) {
-      role_ = roleOf(result_.tape.blobs, reference_, pair.other);
+      role_ = repair::roleOf(result_.tape.blobs, reference_, pair.other);
       order_.try_emplace(role_, pair.other.ordinal);
       const auto shared = std::ranges::find_if(
           pair.commands, [](const CommandPair& both) { return both.one && both.other; });
@@ -206,8 +206,32 @@ private:
       if (key.starts_with("depth") && key != "depthClamp") unit = "depth";
       if (key == "cull" || key == "cullFace") unit = "culling";
       if (key == "scissor" || key == "scissorTest") unit = "scissor";
-      patch(unit, pointer({std::to_string(i), "state", key}), value);
+      const std::string path = pointer({std::to_string(i), "state", key});
+      if (unit == "stencil")
+        compareStencil(theirs, path, value);
+      else
+        patch(unit, path, value);
     }
+  }
+
+  /// One pass counts with one program and lights with another: each its own test and operations.
+  void compareStencil(const json& theirs, const std::string& path, const json& value) {
+    const std::string passes = role_;
+    if (!shaders_.empty()) role_ = roleOf(theirs);
+    if (value.is_object())
+      for (const auto& [key, one] : value.items())
+        patch(key == "fail" || key.starts_with("depth") ? "stencil operations" : "stencil",
+              path + pointer({key}), one);
+    else
+      patch("stencil", path, value);
+    role_ = passes;
+  }
+
+  /// Of a draw by itself.
+  std::string roleOf(const json& draw) {
+    const std::string role = drawRole(result_.tape.blobs, draw);
+    order_.try_emplace(role, order_.at(role_));
+    return role;
   }
 
   /// What a pass draws into: the window or not, which images at which points, how these are made.
@@ -336,7 +360,8 @@ private:
     note("mesh");
     const bool isSameMesh = meshOf(own) == meshOf(theirs);
     if (!isSameMesh)
-      for (const char* key : {"attributes", "indices", "mode", "calls", "instances", "baseInstance"})
+      for (const char* key :
+           {"attributes", "indices", "mode", "calls", "instances", "baseInstance"})
         if (theirs.contains(key)) patch("mesh", at + pointer({key}), theirs[key]);
     for (const std::string what : {"uniform", "block", "attribute"})
       for (const auto& [name, value] : theirs.at(what + 's').items())
@@ -415,8 +440,7 @@ private:
     const json& theirs = reference_[other];
     json own = theirs;
     own["skip"] = true;
-    const std::string at =
-        pointer({std::to_string(before), "before", fmt::format("{:06}", other)});
+    const std::string at = pointer({std::to_string(before), "before", fmt::format("{:06}", other)});
     const bool isDraw = theirs.at("op") == "draw";
     const json* program = isDraw ? programLike(theirs) : nullptr;
     if (program) own["program"] = *program;
@@ -456,8 +480,8 @@ private:
       for (const json& own : program.at("stages")) {
         if (own.at("stage") != stage.at("stage")) continue;
         const auto ownLines = linesOf(textOf(result_.tape.blobs.at(own.at("blob"))));
-        found += std::size_t(
-            std::ranges::count_if(lines, [&](const auto& line) { return ownLines.contains(line); }));
+        found += std::size_t(std::ranges::count_if(
+            lines, [&](const auto& line) { return ownLines.contains(line); }));
       }
     }
     return all == 0 ? 0 : double(found) / double(all);
@@ -494,10 +518,9 @@ int widthOf(const std::string& unit) {
 
 bool isState(const std::string& unit) {
   return widthOf(unit) == 0 &&
-         std::ranges::none_of(
-             std::array{"function ", "uniform ", "block ", "texture ", "sampler ", "attribute ",
-                        "copy"},
-             [&](const char* kind) { return unit.starts_with(kind); });
+         std::ranges::none_of(std::array{"function ", "uniform ", "block ", "texture ", "sampler ",
+                                         "attribute ", "copy"},
+                              [&](const char* kind) { return unit.starts_with(kind); });
 }
 
 Comparison compare(const tape::Tape& submission, const tape::Tape& reference) {

@@ -140,6 +140,8 @@ struct ProvedCause {
   std::string unit;             ///< "viewport", "uniform uLight", "function visibility in fragment"
   std::set<std::string> todos;  ///< whose work it is; none: it was right before, and was spoiled
   bool isUnseen = false;        ///< draws that lack: what else belongs to them can't be seen
+  /// Of what is nobody's work: the TODOs with a statement that changes it or puts it back.
+  std::set<std::string> changedBy{};
 };
 
 struct Timing {

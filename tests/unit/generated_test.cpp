@@ -78,7 +78,8 @@ TEST(Generated, StringsCommentsAndDeclarationsStay) {
     EXPECT_FALSE(authoring::isPlainStatement(line)) << line;
   for (const char* line : {"  glClear(A | B);", "  x = 1;", "  x.y += f(1);", "  a.set(\"b\", c);",
                            "  ++i;  // comment"})
-    EXPECT_EQ(authoring::isPlainStatement(line), std::string(line).find("++i") == std::string::npos) << line;
+    EXPECT_EQ(authoring::isPlainStatement(line), std::string(line).find("++i") == std::string::npos)
+        << line;
 }
 
 const char* const kProgram = "void before() { x = 1; } // stays\n"

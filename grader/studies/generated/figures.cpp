@@ -28,7 +28,8 @@ std::string share(std::size_t part, std::size_t all) {
 /// Of wrong programs that lost points, with this first diagnosis.
 std::size_t countTold(const Figures& figures, Told told) {
   return std::size_t(std::ranges::count_if(figures.cases, [&](const Case& one) {
-    return !one.isRight && one.lost > kFree && one.fate != Fate::notDrawn && one.told == told;
+    return !one.isRight && one.lost - one.bonusLost > kFree && one.fate != Fate::notDrawn &&
+           one.told == told;
   }));
 }
 
@@ -91,7 +92,7 @@ bool isDrawn(const Case& found) {
 }
 
 void settle(Case& found, double most, const std::string& heading) {
-  found.lost = most - found.score.score;
+  found.lost = most - found.score.score + found.bonusLost;
   const bool isCharged = found.lost > kFree, isShown = !found.shownIn.empty();
   if (found.isRight)
     found.fate = isCharged || !isDrawn(found) ? Fate::tooLow : Fate::fair;

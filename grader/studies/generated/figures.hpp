@@ -35,11 +35,12 @@ struct Case {
   std::string change;  ///< what was done to it, a line each
   std::string todo;    ///< wrong: in whose block that is
   calibration::Score score;
-  double lost = 0;     ///< points
-  double allowed = 0;  ///< that it may lose
-  std::string shownIn; ///< the scene in which a window is another than the reference's, or empty
-  std::string answer;  ///< the first diagnosis' ID, or its text where it has none
-  std::string step;    ///< and the heading that it says to read
+  double lost = 0;      ///< points
+  double bonusLost = 0; ///< of these, the bonus of its step: nothing is said of that
+  double allowed = 0;   ///< that it may lose
+  std::string shownIn;  ///< the scene in which a window is another than the reference's, or empty
+  std::string answer;   ///< the first diagnosis' ID, or its text where it has none
+  std::string step;     ///< and the heading that it says to read
   Fate fate = Fate::notDrawn;
   Told told = Told::silent; ///< of a wrong program that lost points
 };
@@ -63,7 +64,7 @@ struct Figures {
 bool isDrawn(const Case& found);
 
 /// Sets `lost`, `fate` and `told` by what was found.
-/// \param most what a right program earns, and what its step's bonus lost of itself
+/// \param most what a right program earns
 /// \param heading of the handout's step about `found.todo`, as diagnoses name it
 void settle(Case& found, double most, const std::string& heading);
 

@@ -55,8 +55,8 @@ public:
     gradeAll();
     lookAtUnseen();
     for (Generated& one : all_) {
-      settle(one.found, target_.maxScore() + bonusOf(one.found),
-             grading::stepHeading(part_, one.found.todo));
+      one.found.bonusLost = bonusOf(one.found);
+      settle(one.found, target_.maxScore(), grading::stepHeading(part_, one.found.todo));
       figures_.cases.push_back(one.found);
     }
     measureAreas();
