@@ -2,6 +2,7 @@
 
 #include "diagnosis/proved.hpp"
 #include "grading/carry.hpp"
+#include "grading/charges.hpp"
 #include "grading/grade.hpp"
 #include "grading/parallel.hpp"
 #include "grading/replay.hpp"
@@ -32,10 +33,6 @@ constexpr double kRightPoints = 0.5;
 /// A submission with more, or in the work of more steps, is another program, not a fault.
 constexpr std::size_t kMostCauses = 24, kMostWorks = 6;
 constexpr std::size_t kMostTried = 40; ///< differences of one submission
-/// An item that lost no more of its points is as good as whole.
-constexpr double kFreeShare = 0.05;
-/// What was right before and was spoiled costs so many points at most once that is proved.
-constexpr double kSpoiledPoints = 10;
 
 struct NotRepaired : std::runtime_error {
   using std::runtime_error::runtime_error;
@@ -74,8 +71,8 @@ double farOff(const channel::Capture& drawn, const rubric::SceneFolders& scene) 
 class Repairing {
 public:
   Repairing(const Target& target, OwnTapes& own, Judge& judge, Graded& graded, unsigned threads)
-      : own_(own), judge_(judge), graded_(graded), items_(graded.result.items), threads_(threads) {
-    for (const ItemDeclaration& declared : target.items()) declared_[declared.id] = declared;
+      : charges_(target.items()), own_(own), judge_(judge), graded_(graded),
+        items_(graded.result.items), threads_(threads) {
     for (const results::Item& item : items_)
       if (item.kind != results::ItemKind::bonus && report::lost(item) > 0)
         lossy_.push_back(item.id);
@@ -88,7 +85,8 @@ public:
     scenes_.push_back(record(scenes[0]));
     std::vector<Unit> found = search(0, {});
     if (found.empty()) throw NotRepaired("the passes' differences don't explain it");
-    if (const auto causes = causesOf(found); lossy_.size() == 1 && areWorkOf(causes, lossy_[0]))
+    if (const auto causes = causesOf(found);
+        lossy_.size() == 1 && charges_.areWorkOf(causes, lossy_[0]))
       return causes;
     scenes_.resize(scenes.size());
     inParallel(scenes.size() - 1, threads_,
@@ -361,11 +359,11 @@ private:
     for (const results::Item& item : items_) {
       // Of work that isn't there, what the reference's in its place shows says nothing.
       if (report::lost(item) <= 0 ||
-          (item.kind != results::ItemKind::keep && missing_.contains(declared_.at(item.id).step)))
+          (item.kind != results::ItemKind::keep && missing_.contains(charges_.stepOf(item.id))))
         continue;
       std::vector<Unit> repaired;
       for (std::size_t i = 0; i < causes.size(); ++i)
-        if (!isWorkOf(causes[i], declared_.at(item.id), causes)) repaired.push_back(found[i]);
+        if (!charges_.isWorkOf(causes[i], item.id, causes)) repaired.push_back(found[i]);
       if (!repaired.empty()) byRepaired[repaired].push_back(item.id);
     }
     std::vector<std::vector<Unit>> variants = {found};
@@ -388,73 +386,8 @@ private:
     for (std::size_t k = 1; k < variants.size(); ++k)
       for (const results::Item& again : judged(k, byRepaired[variants[k]]))
         keepBetter(again, causes);
-    chargeOnce(before, causes);
-    double spoiled = 0;
-    for (const results::Item& item : items_)
-      if (item.kind == results::ItemKind::keep) spoiled -= item.earned;
-    for (results::Item& item : items_)
-      if (item.kind == results::ItemKind::keep && spoiled > kSpoiledPoints)
-        item.earned *= kSpoiledPoints / spoiled;
+    charges_.settle(items_, before, causes);
     return true;
-  }
-
-  /// A fault is never free: where none of those whose work it is lost anything, the item that lost
-  /// most by it loses it, but no more than the work is worth.
-  void chargeOnce(const std::vector<results::Item>& before,
-                  const std::vector<ProvedCause>& causes) {
-    const auto lost = [](const results::Item& item) {
-      return item.kind == results::ItemKind::bonus ? 0 : report::lost(item);
-    };
-    std::map<std::set<std::string>, ProvedCause> works; // one for each
-    for (const ProvedCause& cause : causes) works.emplace(cause.todos, cause);
-    for (const auto& [todos, cause] : works) {
-      bool paid = false;
-      double worth = 0;
-      for (const results::Item& item : items_) {
-        const ItemDeclaration& declared = declared_.at(item.id);
-        if (!isWorkOf(cause, declared, causes)) continue;
-        paid |= lost(item) > kFreeShare * item.points;
-        if (item.kind == results::ItemKind::gain) worth += item.points;
-      }
-      if (paid) continue;
-      const auto given = [&](std::size_t i) { return lost(before[i]) - lost(items_[i]); };
-      std::size_t worst = 0;
-      for (std::size_t i = 1; i < items_.size(); ++i)
-        if (given(i) > given(worst)) worst = i;
-      if (given(worst) <= 0) continue;
-      results::Item charged = before[worst];
-      charged.earned += std::max(0.0, given(worst) - (worth == 0 ? kSpoiledPoints : worth));
-      items_[worst] = charged;
-    }
-  }
-
-  /// Items say what their work is; else it is the step's that they stand for. What was right from
-  /// the start is the work of those that keep it.
-  bool isWorkOf(const ProvedCause& cause, const ItemDeclaration& item,
-                const std::vector<ProvedCause>& causes) const {
-    const bool isKeep = item.kind == results::ItemKind::keep;
-    if (cause.todos.empty()) return isKeep;
-    if (isKeep) return false;
-    // What a step got wrong besides follows from the rest of its work.
-    const bool namedAlone = std::ranges::all_of(causes, [&](const ProvedCause& other) {
-      return other.todos != cause.todos || isNamed(other);
-    });
-    return namedAlone ? names(item, cause.unit) : cause.todos.contains(item.step);
-  }
-
-  bool areWorkOf(const std::vector<ProvedCause>& causes, const std::string& item) const {
-    return std::ranges::all_of(causes, [&](const ProvedCause& cause) {
-      return isWorkOf(cause, declared_.at(item), causes);
-    });
-  }
-
-  bool isNamed(const ProvedCause& cause) const {
-    return std::ranges::any_of(declared_,
-                               [&](const auto& one) { return names(one.second, cause.unit); });
-  }
-
-  static bool names(const ItemDeclaration& declared, const std::string& unit) {
-    return std::ranges::find(declared.work, unit) != declared.work.end();
   }
 
   void keepBetter(const results::Item& again, const std::vector<ProvedCause>& causes) {
@@ -465,17 +398,17 @@ private:
     item->repaired.clear();
     for (const ProvedCause& cause : causes)
       if (const std::string name = diagnosis::nameOf(cause);
-          !isWorkOf(cause, declared_.at(item->id), causes) &&
+          !charges_.isWorkOf(cause, item->id, causes) &&
           std::ranges::find(item->repaired, name) == item->repaired.end())
         item->repaired.push_back(name);
   }
 
+  const Charges charges_;
   OwnTapes& own_;
   Judge& judge_;
   Graded& graded_;
   std::vector<results::Item>& items_;
   const unsigned threads_;
-  std::map<std::string, ItemDeclaration> declared_;
   std::vector<std::string> lossy_; ///< items that lost points, but the bonus
   std::vector<TapedScene> scenes_; ///< the worst one first
   std::set<std::string> missing_;  ///< TODOs of whose work there is nothing to judge

@@ -2,6 +2,7 @@
 
 #include "repair/align.hpp"
 #include "repair/glsl.hpp"
+#include "repair/programs.hpp"
 
 #include <fmt/format.h>
 
@@ -20,9 +21,6 @@ namespace {
 
 /// The reference's images are numbered from here on, unless they are the submission's.
 constexpr std::uint64_t kReferenceImages = 1'000'000;
-
-/// A program with so many of another's lines is a changed one of it.
-constexpr double kAlike = 0.5;
 
 std::string textOf(const std::vector<std::byte>& bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -61,9 +59,7 @@ public:
         command["id"] = command["id"].get<std::uint64_t>() + kReferenceImages;
       forEach(command, "image", [](json& id) { id = id.get<std::uint64_t>() + kReferenceImages; });
     }
-    for (const json& command : reference_)
-      if (command.at("op") == "draw")
-        for (const json& stage : command.at("program").at("stages")) stages_.insert(stage);
+    programs_.addReferences(reference_);
     std::set<json> defined;
     for (const json& command : reference_)
       if (command.at("op") == "image" && defined.insert(command["id"]).second)
@@ -77,8 +73,7 @@ public:
       else
         rest.push_back(own[i]);
     commands.insert(commands.end(), rest.begin(), rest.end());
-    for (const json& command : own)
-      if (command.contains("program")) programs_.insert(command["program"]);
+    programs_.addOwn(own);
     for (json& command : commands)
       if (command.at("op") != "image") command["before"] = json::object();
   }
@@ -272,15 +267,6 @@ private:
     return image;
   }
 
-  /// Is it a program that the reference has for something else than this draw?
-  bool isAnotherProgram(const json& program, const json& theirs) const {
-    for (const json& stage : program.at("stages"))
-      if (const auto& wanted = theirs.at("program").at("stages");
-          std::ranges::find(wanted, stage) == wanted.end() && stages_.contains(stage))
-        return true;
-    return false;
-  }
-
   /// \param at where the submission's draw stands
   void compareProgram(const std::string& at, const json& own, const json& theirs) {
     const json &stages = own.at("program").at("stages"),
@@ -351,7 +337,7 @@ private:
     const json own = result_.tape.commands[i]; // patches are looked up in the commands as they are
     const std::string at = pointer({std::to_string(i)});
     note("program");
-    if (isAnotherProgram(own.at("program"), theirs)) {
+    if (programs_.isForSomethingElse(own.at("program"), theirs.at("program"))) {
       for (const char* key : {"program", "uniforms", "textures", "blocks", "attributes"})
         patch("program", at + pointer({key}), theirs.at(key));
       return;
@@ -442,7 +428,7 @@ private:
     own["skip"] = true;
     const std::string at = pointer({std::to_string(before), "before", fmt::format("{:06}", other)});
     const bool isDraw = theirs.at("op") == "draw";
-    const json* program = isDraw ? programLike(theirs) : nullptr;
+    const json* program = isDraw ? programs_.likest(theirs.at("program")) : nullptr;
     if (program) own["program"] = *program;
     result_.tape.commands[json::json_pointer(at)] = own;
     patch(unit, at + "/skip", false);
@@ -456,44 +442,11 @@ private:
     isPutIn_ = false;
   }
 
-  /// The submission's program that is most like the one that the reference draws this with. Null:
-  /// none is like it.
-  const json* programLike(const json& theirs) {
-    const auto [known, isNew] = likest_.try_emplace(theirs.at("program").at("stages"), nullptr);
-    if (!isNew) return known->second;
-    double best = kAlike;
-    for (const json& program : programs_) {
-      const double likeness = likenessOf(program, theirs["program"]);
-      if (likeness < best || isAnotherProgram(program, theirs)) continue;
-      best = likeness;
-      known->second = &program;
-    }
-    return known->second;
-  }
-
-  /// The share of the wanted program's lines that a program has.
-  double likenessOf(const json& program, const json& wanted) const {
-    std::size_t all = 0, found = 0;
-    for (const json& stage : wanted.at("stages")) {
-      const auto lines = linesOf(textOf(result_.tape.blobs.at(stage.at("blob"))));
-      all += lines.size();
-      for (const json& own : program.at("stages")) {
-        if (own.at("stage") != stage.at("stage")) continue;
-        const auto ownLines = linesOf(textOf(result_.tape.blobs.at(own.at("blob"))));
-        found += std::size_t(std::ranges::count_if(
-            lines, [&](const auto& line) { return ownLines.contains(line); }));
-      }
-    }
-    return all == 0 ? 0 : double(found) / double(all);
-  }
-
   Comparison result_;
   json reference_;
   std::vector<PassPair> pairs_;
   std::map<std::uint64_t, std::uint64_t> same_;
-  std::set<json> stages_;   ///< of the reference's programs
-  std::set<json> programs_; ///< the submission's
-  std::map<json, const json*> likest_;
+  Programs programs_{result_.tape.blobs};
   std::string role_;                 ///< of the pass that is being compared
   std::optional<std::size_t> first_; ///< its ordinal in the submission
   std::string shaders_;              ///< of the draw that is being compared
