@@ -82,33 +82,51 @@ void OwnTapes::addStep(const std::string& todo, const repair::Comparison& before
   }
 }
 
+fs::path OwnTapes::keptFile(const std::string& what) const {
+  return cacheFolder() / "owners" /
+         hashOf(what + toolHash() + referenceKey(target_, solutionFolder_) + target_.id +
+                references_.scenes.at(0).scene.dump());
+}
+
 void OwnTapes::learn() {
-  std::call_once(learned_, [&] {
-    const rubric::SceneFolders& scene = references_.scenes.at(0);
-    const fs::path file = cacheFolder() / "owners" /
-                          hashOf(toolHash() + referenceKey(target_, solutionFolder_) + target_.id +
-                                 scene.scene.dump());
+  learnOwners();
+  learnDeciders();
+}
+
+void OwnTapes::learnOwners() {
+  std::call_once(owners_, [&] {
+    const fs::path file = keptFile("owners");
     if (!fs::exists(file)) {
-      learnAnew(scene);
-      learnDeciders(scene);
-      json changed = json::array(), decided = json::array();
+      learnAnew(references_.scenes.at(0));
+      json kept = json::array();
       for (const auto& [unit, todos] : changedBy_)
         for (const auto& [todo, share] : todos)
-          changed.push_back({{"role", unit.role},
-                             {"unit", unit.name},
-                             {"todo", todo},
-                             {"lines", share.lines},
-                             {"shaders", share.shaders}});
-      for (const auto& [unit, todos] : decidedBy_)
-        decided.push_back({{"role", unit.role}, {"unit", unit.name}, {"todos", todos}});
-      keepText(json({{"changed", changed}, {"decided", decided}}).dump(), file);
+          kept.push_back({{"role", unit.role},
+                          {"unit", unit.name},
+                          {"todo", todo},
+                          {"lines", share.lines},
+                          {"shaders", share.shaders}});
+      keepText(kept.dump(), file);
       return;
     }
-    const json kept = readJson(file);
-    for (const json& one : kept.at("changed"))
+    for (const json& one : readJson(file))
       changedBy_[{one.at("role"), one.at("unit")}][one.at("todo")] = {one.at("lines"),
                                                                       one.at("shaders")};
-    for (const json& one : kept.at("decided"))
+  });
+}
+
+void OwnTapes::learnDeciders() {
+  std::call_once(deciders_, [&] {
+    const fs::path file = keptFile("deciders");
+    if (!fs::exists(file)) {
+      learnDecidersAnew(references_.scenes.at(0));
+      json kept = json::array();
+      for (const auto& [unit, todos] : decidedBy_)
+        kept.push_back({{"role", unit.role}, {"unit", unit.name}, {"todos", todos}});
+      keepText(kept.dump(), file);
+      return;
+    }
+    for (const json& one : readJson(file))
       decidedBy_[{one.at("role"), one.at("unit")}] = one.at("todos");
   });
 }
@@ -162,7 +180,7 @@ void OwnTapes::learnAnew(const rubric::SceneFolders& scene) {
   }
 }
 
-void OwnTapes::learnDeciders(const rubric::SceneFolders& scene) {
+void OwnTapes::learnDecidersAnew(const rubric::SceneFolders& scene) {
   const tape::Tape& right = reference(0);
   Statements statements(target_, solutionFolder_);
   std::vector<std::set<Unit>> changed(statements.size()); // without each statement
@@ -188,7 +206,8 @@ void OwnTapes::learnDeciders(const rubric::SceneFolders& scene) {
 }
 
 std::set<std::string> OwnTapes::decidersOf(const Unit& unit) {
-  learn();
+  if (unit.name.starts_with("function ") || unit.name.starts_with("shader ")) return {};
+  learnDeciders();
   const auto found = decidedBy_.find(unit);
   return found == decidedBy_.end() ? std::set<std::string>() : found->second;
 }
@@ -207,7 +226,7 @@ const std::set<Unit>& OwnTapes::unitsOf(const fs::path& patch) {
 }
 
 std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
-  learn();
+  learnOwners();
   const auto found = changedBy_.find(difference.unit);
   if (found == changedBy_.end()) return {};
   std::set<std::string> all, byLine;
@@ -225,7 +244,7 @@ std::set<std::string> OwnTapes::missingIn(const repair::Difference& difference,
                                           const repair::UnitsInDraws& compared) {
   std::set<std::string> missing;
   if (difference.isUnseen) missing = ownersOf(difference);
-  learn();
+  learnOwners();
   if (const auto own = changedBy_.find(difference.unit); own != changedBy_.end())
     for (const auto& [todo, share] : own->second)
       if (!share.lines.empty() && !difference.adds &&

@@ -27,8 +27,8 @@ public:
   const tape::Tape& reference(std::size_t scene);
 
   /// Learns whose work everything is, by drawing the solution without each of its TODOs, and
-  /// without each of their statements: half a minute, once. Who isn't told to does when first
-  /// asked.
+  /// without each of their statements: half a minute, once. Who isn't told to does each when
+  /// first asked.
   void learn();
 
   /// The TODOs whose work it is: those without which the solution alone has another unit (of a
@@ -53,8 +53,11 @@ public:
 
 private:
   tape::Tape record(const Recipe& recipe, const rubric::SceneFolders& scene);
+  void learnOwners();
+  void learnDeciders();
   void learnAnew(const rubric::SceneFolders& scene);
-  void learnDeciders(const rubric::SceneFolders& scene);
+  void learnDecidersAnew(const rubric::SceneFolders& scene);
+  std::filesystem::path keptFile(const std::string& what) const;
   void add(const std::string& todo, const repair::Difference& difference,
            const std::set<std::string>& lines);
   /// Of the passes of a role, what the submission has nowhere.
@@ -76,7 +79,7 @@ private:
   };
   std::map<repair::Unit, std::map<std::string, Share>> changedBy_;
   std::map<repair::Unit, std::set<std::string>> decidedBy_;
-  std::once_flag learned_;
+  std::once_flag owners_, deciders_;
   std::map<std::filesystem::path, std::set<repair::Unit>> unitsOf_;
 };
 
