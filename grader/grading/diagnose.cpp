@@ -1,6 +1,7 @@
 #include "grading/diagnose.hpp"
 
 #include "diagnosis/proved.hpp"
+#include "repair/compare.hpp"
 #include "report/summary.hpp"
 #include "report/text.hpp"
 #include "words/words.hpp"
@@ -146,8 +147,8 @@ bool areLater(const std::vector<results::ProvedCause>& causes, const std::string
 /// Of shaders it is known by the line whose work they are.
 bool isOfItsStep(const Mistake& mistake, const std::vector<results::ProvedCause>& causes) {
   return std::ranges::all_of(causes, [&](const results::ProvedCause& cause) {
-    const bool isShader = cause.unit.starts_with("function ") || cause.unit.starts_with("shader ");
-    return !isShader || cause.todos.empty() || cause.todos.contains(mistake.step);
+    return !repair::isShader(cause.unit) || cause.todos.empty() ||
+           cause.todos.contains(mistake.step);
   });
 }
 

@@ -196,7 +196,6 @@ void OwnTapes::learnDecidersAnew(const rubric::SceneFolders& scene) {
   std::map<Unit, std::size_t> fewest; // units that the statement changes, with this one
   for (std::size_t i = 0; i < changed.size(); ++i)
     for (const Unit& unit : changed[i]) {
-      if (unit.name.starts_with("function ") || unit.name.starts_with("shader ")) continue;
       const auto [known, isNew] = fewest.try_emplace(unit, changed[i].size());
       if (changed[i].size() > known->second) continue;
       if (changed[i].size() < known->second) decidedBy_[unit].clear();
@@ -206,7 +205,7 @@ void OwnTapes::learnDecidersAnew(const rubric::SceneFolders& scene) {
 }
 
 std::set<std::string> OwnTapes::decidersOf(const Unit& unit) {
-  if (unit.name.starts_with("function ") || unit.name.starts_with("shader ")) return {};
+  if (repair::isShader(unit.name)) return {}; // of these, lines tell
   learnDeciders();
   const auto found = decidedBy_.find(unit);
   return found == decidedBy_.end() ? std::set<std::string>() : found->second;

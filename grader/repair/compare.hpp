@@ -46,6 +46,11 @@ struct Comparison {
 inline constexpr int kWidths = 3;
 int widthOf(const std::string& unit);
 
+/// Is it a shader, or a function of one?
+inline bool isShader(const std::string& unit) {
+  return unit.starts_with("function ") || unit.starts_with("shader ");
+}
+
 /// Is it a part of OpenGL's state, which stays as it is from one pass to the next?
 bool isState(const std::string& unit);
 
