@@ -34,7 +34,8 @@ constexpr double kNothingOfPass = 0.15, kNothingOfPicture = 0.25;
 constexpr double kRightPicture = 0.9;
 
 /// Probes: the reference with its other filters, its other edge rule, and with 11 bits a channel.
-constexpr const char* kFilters[] = {"5x5", "dual", "13 samples", "clamped", "11 bits"};
+constexpr const char* kFilters[] = {"5x5",     "dual",   "13 samples", "13 samples, mirrored",
+                                    "clamped", "11 bits"};
 
 /// Formats that hold more than 0 to 1.
 bool holdsLight(std::uint32_t format) {
