@@ -65,6 +65,8 @@ std::vector<channel::Capture> playEach(const std::vector<std::byte>& tape,
       one.trace = trace::framesOf(played.capture.trace, i * frames, frames);
     }
     // What ends a run is one patch's fault: those after it are drawn in another one.
+    if (whole == 0 && played.happened.seconds >= kRunSeconds)
+      throw std::runtime_error("drawn again with a change, it takes too long");
     if (whole == 0) all.emplace_back();
   }
   return all;

@@ -18,7 +18,8 @@ Rendering play(const std::vector<std::byte>& tape, const std::vector<nlohmann::j
                const ShaderCache& shaders, const trace::Request& request);
 
 /// As `play` with grading's request: for each patch what it drew, with its first frame's passes;
-/// without frames where the player didn't get that far.
+/// without frames where the player didn't get that far. Throws where one alone runs out of time:
+/// with shaders of the tape's own, each could.
 /// \param times of the frames, seconds
 /// \param frameBytes copies of one frame's passes take
 std::vector<channel::Capture> playEach(const std::vector<std::byte>& tape,
