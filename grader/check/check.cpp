@@ -82,7 +82,8 @@ private:
       suspect = expected_.scenes[first->scene].another ? suspectInAnother(*first)
                                                        : suspectInHandedOut(*first);
     checked_.rows = rows(expected_, drawn_.shown, drawn_.begun, suspect);
-    checked_.likely = suspect.todo;
+    // Of several that show the same, or in a scene that was not handed out, none is likelier.
+    if (suspect.also.empty() && !suspect.showsNothing) checked_.likely = suspect.todo;
     blameStorage();
     if (isTogether(expected_)) settleTogether(suspect.isExplained);
     // A call that fails does nothing, whether that is seen already or not.
@@ -101,8 +102,9 @@ private:
   }
 
   /// The first wrong picture. Another scene tells something only where those that were handed out
-  /// are right.
+  /// are right, or nearly.
   std::optional<diagnosis::FirstWrong> firstWrong() const {
+    std::optional<diagnosis::FirstWrong> little; // may be another right way
     for (const bool another : {false, true}) {
       diagnosis::Run student, should;
       std::vector<std::size_t> scenes;
@@ -129,10 +131,13 @@ private:
             here = earlier;
         }
         here->scene = scenes[i];
-        return here;
+        const bool isLittle = !most->slot && most->share < kNearly;
+        if (!isLittle) return here;
+        if (!little) little = here;
+        break;
       }
     }
-    return std::nullopt;
+    return little;
   }
 
   /// Are all windows of a finished program right? Then what is observed explains nothing wrong.
@@ -198,6 +203,15 @@ private:
       suspect.todo = observed_.todo;
       suspect.also.clear();
       suspect.isExplained = true;
+    }
+    const std::string known = likeliest(first.scene);
+    resemblance_.clear(); // what is only like a mistake may as well be a number typed in
+    if (!checked_.cause.empty()) {
+      suspect.todo = known;
+      suspect.also = also_;
+      suspect.isGuess = false;
+      suspect.isExplained = true;
+      return suspect;
     }
     checked_.cause =
         isWrongLater(first)

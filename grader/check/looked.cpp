@@ -69,6 +69,15 @@ const Row* rowToLookAt(const Checked& checked) {
   return next == checked.rows.end() ? nullptr : &*next;
 }
 
+std::vector<const Row*> rowsToLookAt(const Checked& checked) {
+  const Row* row = rowToLookAt(checked);
+  if (!row) return {};
+  const auto rows = inDoubt(checked);
+  const bool isOneOfMany =
+      row->todo != checked.likely && std::ranges::find(rows, row) != rows.end();
+  return isOneOfMany ? rows : std::vector{row};
+}
+
 bool hasWrong(const Checked& checked) {
   return std::ranges::any_of(checked.rows, [](const Row& row) {
     return row.state == State::wrong || row.state == State::maybe;
@@ -117,6 +126,8 @@ std::string headline(const Checked& checked) {
 std::string noteOf(const Checked& checked, const Row& row) {
   if (row.state == State::done && !isSeen(checked, row))
     return say("as far as can be told: no picture shows it by itself");
+  if (row.state == State::done && !row.showsWith.empty())
+    return say("as far as can be told: some mistakes in it show with {} only", row.showsWith);
   std::string notes;
   const auto add = [&](const std::string& note) {
     notes = notes.empty() ? note : say("{}; {}", notes, note);
@@ -154,7 +165,8 @@ std::string purposeOf(const Looked& looked, const Row& row) {
     if (item.step == row.todo && item.kind == results::ItemKind::gain)
       titles += (titles.empty() ? "" : "; ") + std::string(words(item.title));
   if (titles.empty()) return std::string(words(todoOf(*looked.part, row.todo).title));
-  return isSeen(looked.checked, row) ? titles : say("{} (no picture shows it by itself)", titles);
+  if (!isSeen(looked.checked, row)) return say("{} (no picture shows it by itself)", titles);
+  return row.showsWith.empty() ? titles : say("{} (as far as can be told so far)", titles);
 }
 
 std::string sceneOf(const Looked& looked, std::size_t scene) {
@@ -198,9 +210,8 @@ std::string stepToRead(const Looked& looked, bool isLast) {
   const auto numberOf = [&](const std::string& id) {
     return &todoOf(*looked.part, id) - looked.part->todos.data() + 1;
   };
-  const auto rows = inDoubt(looked.checked);
-  const bool isOneOfMany = rows.size() > 1 && std::ranges::find(rows, row) != rows.end();
-  if (!isOneOfMany || row->todo == looked.checked.likely)
+  const auto rows = rowsToLookAt(looked.checked);
+  if (rows.size() == 1)
     return say("{}, step {}: {}", looked.handout, numberOf(row->todo), words(todo.title));
   std::vector<std::ptrdiff_t> numbers;
   for (const Row* each : rows) numbers.push_back(numberOf(each->todo));
@@ -222,6 +233,9 @@ std::vector<Problem> todoProblems(const Looked& looked) {
                        : isNext ? say("{} is next: {}", row->todo, title)
                                 : say("{} may be wrong: {}", row->todo, title);
   }
+  for (const auto& [todo, place] : looked.otherPlaces)
+    problems.push_back({place, "warning",
+                        say("{} may be wrong: {}", todo, words(todoOf(*looked.part, todo).title))});
   return problems;
 }
 

@@ -5,6 +5,8 @@
 #include "check/hints.hpp"
 #include "check/places.hpp"
 
+#include <map>
+
 namespace ggrade::check {
 
 /// One part that was looked at.
@@ -15,6 +17,8 @@ struct Looked {
   std::filesystem::path folder; ///< of the student's files
   Checked checked;
   std::vector<Place> places;  ///< of the TODO to look at now
+  /// The first places of the others that are as likely, by their IDs.
+  std::map<std::string, Place> otherPlaces;
   Level level = Level::where; ///< so much of the fault is told on the terminal
   bool canAsk = false;        ///< is this the part of which asking tells more?
 };
@@ -22,6 +26,9 @@ struct Looked {
 /// The TODO to look at now: the wrong one, else of those that may be the likely one or the last,
 /// else the first that isn't done; none where nothing was drawn or all is done.
 const Row* rowToLookAt(const Checked& checked);
+/// That one, and those that may be wrong as well, in their order; where one is the likely one, it
+/// alone.
+std::vector<const Row*> rowsToLookAt(const Checked& checked);
 
 /// Are there rows that are wrong?
 bool hasWrong(const Checked& checked);

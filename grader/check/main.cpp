@@ -266,9 +266,16 @@ private:
                            [&](const std::string& what, std::size_t done, std::size_t total) {
                              if (isatty(STDERR_FILENO) != 0) progress(what, done, total);
                            });
-    if (const Row* row = rowToLookAt(looked.checked))
-      looked.places =
-          placesOf(row->todo, target_.assignment.files, stubFolder(expected.folder), folder_);
+    const auto placesOf = [&](const Row& row) {
+      return check::placesOf(row.todo, target_.assignment.files, stubFolder(expected.folder),
+                             folder_);
+    };
+    const Row* now = rowToLookAt(looked.checked);
+    for (const Row* row : rowsToLookAt(looked.checked))
+      if (row == now)
+        looked.places = placesOf(*row);
+      else if (const std::vector<Place> places = placesOf(*row); !places.empty())
+        looked.otherPlaces.emplace(row->todo, places.front());
     return looked;
   }
 

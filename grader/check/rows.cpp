@@ -1,6 +1,7 @@
 #include "check/rows.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace ggrade::check {
 
@@ -9,10 +10,6 @@ using diagnosis::SceneViews;
 using diagnosis::Slot;
 
 namespace {
-
-/// Of a window's pixels. What the catalogue's right answers with another bias, filter or map size
-/// change is at most 1.6%; a change of that size that no known mistake makes is not called wrong.
-constexpr double kNearly = 0.02;
 
 /// Of what is wrong in a picture, what a step must have changed for it to be blamed although
 /// another one's first picture is wrong, later in the frame; or to be as likely as the one that is.
@@ -189,11 +186,19 @@ public:
   }
 
   /// The first picture that isn't as after step `should`; of scenes that were not handed out only
-  /// windows count.
+  /// windows count. Of handed-out ones little may be another right way, where another one is wrong.
   std::optional<std::size_t> firstWrong(std::size_t should) const {
-    for (std::size_t c = 0; c < cells_.size(); ++c)
-      if (!same(c, should) && !(cells_[c].slot && isAnother(c))) return c;
-    return std::nullopt;
+    std::optional<std::size_t> little;
+    for (std::size_t c = 0; c < cells_.size(); ++c) {
+      if (same(c, should) || (cells_[c].slot && isAnother(c))) continue;
+      const bool isLittle =
+          !cells_[c].slot &&
+          diagnosis::differingShare(ofStep(should, cells_[c]), ofProgram(cells_[c])) < kNearly;
+      if (!isLittle && (!little || isAnother(c))) return c;
+      if (!isLittle) break;
+      if (!little) little = c;
+    }
+    return little;
   }
 
 private:
@@ -255,6 +260,9 @@ public:
                all_.begin()) +
            1;
     if (Row* culprit = culpritOf()) blame(*culprit);
+    for (Row& row : all_)
+      if (const std::size_t last = lastToShow(row.todo); row.state == State::done && last > should_)
+        row.showsWith = expected_.todos[last - 1];
     return all_;
   }
 
@@ -347,15 +355,27 @@ private:
     return todos;
   }
 
-  /// Steps that show something earlier, and of which there are mistakes that show first in a
-  /// program that has come to this one: they were not seen before.
+  /// Steps of which there are mistakes that show first in a program that has come to this one:
+  /// they were not seen before.
   std::set<std::string> shownFirstHere() const {
     std::set<std::string> todos;
     for (const Fault& fault : expected_.faults)
       for (const Row& row : all_)
-        if (fault.step == should_ && row.todo == fault.todo && row.seen && isBegun(row))
-          todos.insert(row.todo);
+        if (fault.step == should_ && row.todo == fault.todo && isBegun(row)) todos.insert(row.todo);
     return todos;
+  }
+
+  /// The step with which the last of the known mistakes in a TODO shows.
+  std::size_t lastToShow(const std::string& todo) const {
+    std::map<std::string, std::size_t> first; // of each mistake
+    for (const Fault& fault : expected_.faults) {
+      if (fault.todo != todo) continue;
+      const auto known = first.try_emplace(fault.signature.group, fault.step).first;
+      known->second = std::min(known->second, fault.step);
+    }
+    std::size_t last = 0;
+    for (const auto& [mistake, step] : first) last = std::max(last, step);
+    return last;
   }
 
   void blame(Row& culprit) {
@@ -375,15 +395,9 @@ private:
     if (windows_.empty() && !suspect_.isExplained && judging_.isNearly(should_)) {
       allBegunAreDone();
       if (gap_ <= should_) return; // a step that was left out explains it
-      Row* last = &culprit;
+      culprit.state = State::nearly;
       for (Row& row : all_)
-        if (isBegun(row) && drawing.count(row.todo)) {
-          if (isInAnother())
-            last = std::max(last, &row);
-          else
-            row.state = State::nearly;
-        }
-      last->state = State::nearly;
+        if (isBegun(row) && drawing.count(row.todo)) row.state = State::nearly;
       return;
     }
     const bool inWindows = std::ranges::find(windows_, should_) == windows_.end();
@@ -421,14 +435,15 @@ private:
           row.state = State::maybe;
     };
     if (isKnown && !suspect_.also.empty()) return mayBe(suspect_.also);
-    if (suspect_.showsNothing) return doubtUnseenBefore(culprit);
-    if (!wrong_ || isKnown || !(inWindows || suspect_.isGuess)) return;
-    if (isLast && !suspect_.isLater && !isInAnother()) {
+    const auto doubtEarlier = [&] {
       std::set<std::string> earlier = shownFirstHere();
       earlier.erase(culprit.todo);
       if (!earlier.empty()) mayBe(earlier);
-      return doubtUnseenBefore(culprit);
-    }
+      doubtUnseenBefore(culprit);
+    };
+    if (suspect_.showsNothing) return doubtEarlier();
+    if (!wrong_ || isKnown || !(inWindows || suspect_.isGuess)) return;
+    if (isLast && !suspect_.isLater && !isInAnother()) return doubtEarlier();
     mayBe(suspect_.isLater ? begun_ : drawing);
     mayBe(suspect_.also);
     mayBe({suspect_.todo});

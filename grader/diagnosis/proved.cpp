@@ -61,6 +61,7 @@ std::string nameOf(const results::ProvedCause& cause) {
   if (unit == "program") return say("which program draws");
   if (unit == "framebuffer") return say("which framebuffer is bound");
   if (unit == "attachments") return say("the images that are drawn into");
+  if (unit == "storage") return say("the size or format of an image that is drawn into");
   if (unit == "draws") return cause.isUnseen ? say("what isn't drawn yet") : say("what is drawn");
   return unit.starts_with("clipDistance") ? say("the clipping") : say("OpenGL's state {}", unit);
 }

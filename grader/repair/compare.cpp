@@ -229,7 +229,8 @@ private:
     return role;
   }
 
-  /// What a pass draws into: the window or not, which images at which points, how these are made.
+  /// What a pass draws into: the window or not, which images at which points; how these are made,
+  /// where they are drawn into first.
   void compareTarget(std::size_t i, const json& theirs) {
     const bool isWindow = result_.tape.commands[i].at("target").contains("window");
     const bool isSame = isWindow == theirs.at("target").contains("window");
@@ -239,7 +240,7 @@ private:
           theirs["target"]);
     if (theirs["target"].contains("window")) return;
     for (const auto& [point, one] : theirs["target"].at("attachments").items())
-      if (images_.insert({role_, one.at("image")}).second) compareImage(one["image"]);
+      if (images_.insert(one.at("image")).second) compareImage(one["image"]);
   }
 
   void compareImage(const json& own) {
@@ -254,8 +255,9 @@ private:
       if (commands[i].at("op") != "image" || commands[i].at("id") != own) continue;
       json value = *wanted;
       value["id"] = own;
+      note("storage");
       if (withoutData(commands[i]) != withoutData(value))
-        patch("attachments", pointer({std::to_string(i)}), value);
+        patch("storage", pointer({std::to_string(i)}), value);
     }
   }
 
@@ -457,15 +459,15 @@ private:
   std::map<Unit, std::set<json>> putIn_;     ///< the shaders of draws that lack
   std::map<std::string, std::size_t> order_; ///< of roles, by their first pass
   std::map<std::string, std::uint64_t> made_;
-  std::set<std::pair<std::string, json>> images_; ///< of roles, that were compared
+  std::set<json> images_; ///< that were compared
 };
 
 } // namespace
 
 int widthOf(const std::string& unit) {
   if (unit.starts_with("shader ")) return 2;
-  static const std::set<std::string> kWider = {"attachments", "framebuffer", "draws", "program",
-                                               "mesh"};
+  static const std::set<std::string> kWider = {"attachments", "storage", "framebuffer",
+                                               "draws",       "program", "mesh"};
   return kWider.contains(unit) ? 1 : 0;
 }
 

@@ -133,11 +133,11 @@ TEST(Repair, AClearThatLacksAMaskIsThatBuffersFault) {
   EXPECT_THAT(names(compare(submission, reference())), ElementsAre("0 clear depth"));
 }
 
-TEST(Repair, AnotherFormatIsTheAttachments) {
+TEST(Repair, AnotherFormatIsTheStorage) {
   tape::Tape submission = reference();
   submission.commands[1] = image(0, 34842);
   const Comparison comparison = compare(submission, reference());
-  ASSERT_THAT(names(comparison), ElementsAre("0 attachments"));
+  ASSERT_THAT(names(comparison), ElementsAre("0 storage"));
   const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
   EXPECT_EQ(patched[2]["levels"][0]["format"], 32856);
   EXPECT_EQ(patched[2]["id"], 0);
