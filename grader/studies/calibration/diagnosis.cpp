@@ -121,15 +121,34 @@ private:
     const auto quiet = [](const auto&, auto, auto) {};
     grading::Diagnoser diagnoser(target_, part_, solutionFolder_, grader.references(), quiet);
     const grading::Shown shown = grading::shown(graded.students());
-    const std::vector<std::string> lost = grading::lostItems(result.items, part_);
+    const std::vector<std::string> lost =
+        grading::lostItems(result.asDrawn.empty() ? result.items : result.asDrawn, part_);
     if (!report::scored(result.outcome) || lost.empty()) return;
-    for (const bool leftOut : {false, true}) {
-      const std::set<std::string> without =
-          leftOut ? std::set<std::string>{made.mistake->name} : std::set<std::string>{};
-      const Cause answer = diagnoser.causeOf(lost, shown, without, options_.thresholds);
-      add({made.mistake->name, made.variant, seed, leftOut, answer.id, answer.confidence,
-           worth(*made.mistake, answer, diagnoser, lost)});
+    grader.diagnose(graded);
+    const results::Diagnosis told =
+        result.diagnoses.empty() ? results::Diagnosis{} : result.diagnoses.front();
+    add({made.mistake->name, made.variant, seed, false, told.id, told.confidence,
+         worth(*made.mistake, told, diagnoser, lost)});
+    // Were it not known, what it resembles would have to do.
+    const Cause answer = diagnoser.causeOf(lost, shown, {made.mistake->name}, options_.thresholds);
+    add({made.mistake->name, made.variant, seed, true, answer.id, answer.confidence,
+         worth(*made.mistake, answer, diagnoser, lost)});
+  }
+
+  /// Of what the report says first.
+  Answered worth(const Mistake& mistake, const results::Diagnosis& told,
+                 grading::Diagnoser& diagnoser, const std::vector<std::string>& lost) {
+    if (told.id == "proved") {
+      // What was right from the start and is left changed is no step's.
+      if (told.step.empty()) return Answered::generic;
+      return told.step == grading::stepHeading(part_, mistake.step) ? Answered::right
+                                                                    : Answered::wrong;
     }
+    if (!told.id.empty() && !told.id.starts_with("step.") && !catalogue_.mistake(told.id))
+      return Answered::generic;
+    Cause answer;
+    answer.id = told.id;
+    return worth(mistake, answer, diagnoser, lost);
   }
 
   Answered worth(const Mistake& mistake, const Cause& answer, grading::Diagnoser& diagnoser,
