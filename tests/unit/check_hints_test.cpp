@@ -137,6 +137,10 @@ TEST(CheckHints, HowFarAndWhatForWhileNothingIsWrong) {
                     HasSubstr("\nm.1 is done. What it is for: Near hides far\n"),
                     HasSubstr("\nm.cpp:12:4: note: m.2 is next: light it\n"),
                     HasSubstr("\nNext: assignments/m/README.md, step 2: light it\n")));
+  seen.looked.checked.rows[0].showsWith = "m.3";
+  EXPECT_THAT(seen.at(Level::where),
+              AllOf(HasSubstr("(as far as can be told: some mistakes in it show with m.3 only)\n"),
+                    HasSubstr("What it is for: Near hides far (as far as can be told so far)\n")));
   seen.looked.checked.rows[1].state = State::done;
   EXPECT_THAT(seen.at(Level::where), AllOf(HasSubstr("[####--] 2 of 3"),
                                            HasSubstr("\nm.2 is done. What it is for: light it\n")))
@@ -161,8 +165,14 @@ TEST(CheckHints, OfSeveralInDoubtTheLikelyOneIsReadElseAll) {
   EXPECT_THAT(Seen(checked).at(Level::where),
               HasSubstr("\nRead again: assignments/m/README.md, one of the steps 1, 2\n"));
   EXPECT_EQ(rowToLookAt(checked)->todo, "m.2") << "the one that was written last";
+  EXPECT_EQ(rowsToLookAt(checked).size(), 2U);
+  Seen both(checked);
+  both.looked.otherPlaces = {{"m.1", {"n.cpp", 7, 2}}};
+  EXPECT_THAT(both.at(Level::where), AllOf(HasSubstr("\nm.cpp:12:4: warning: m.2 may be wrong"),
+                                           HasSubstr("\nn.cpp:7:2: warning: m.1 may be wrong")));
   checked.likely = "m.1";
   EXPECT_EQ(rowToLookAt(checked)->todo, "m.1");
+  EXPECT_EQ(rowsToLookAt(checked).size(), 1U);
   EXPECT_THAT(Seen(checked).at(Level::where),
               HasSubstr("\nRead again: assignments/m/README.md, step 1: "));
   checked.rows[1].state = State::wrong;

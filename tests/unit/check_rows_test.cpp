@@ -220,6 +220,41 @@ TEST(CheckRows, AMistakeOfAnEarlierStepMayShowFirstAtTheLastOne) {
   EXPECT_EQ(after4(), "dddwn");
   all.faults[0].step = 4;
   EXPECT_EQ(after4(), "ddmmn");
+  all.faults[0].todo = "m.1";
+  EXPECT_EQ(after4(), "mddmn") << "nor was anything of it seen before";
+}
+
+TEST(CheckRows, WhatIsDoneSaysWithWhichStepItsMistakesShow) {
+  Expected all = expected();
+  const auto add = [&](const char* mistake, std::size_t step) {
+    Fault fault{"", "", "", "m.2"};
+    fault.step = step;
+    fault.signature.group = mistake;
+    all.faults.push_back(fault);
+  };
+  add("early", 2), add("early", 5), add("late", 4), add("late", 5);
+  const auto after = [&](std::size_t k) {
+    return rows(all, {all.steps[k][0]}, first(k))[1].showsWith;
+  };
+  EXPECT_EQ(after(1), "") << "not begun";
+  EXPECT_EQ(after(2), "m.4");
+  EXPECT_EQ(after(3), "m.4");
+  EXPECT_EQ(after(4), "") << "it would be seen";
+}
+
+TEST(CheckRows, OfALittleInAHandedOutSceneAndMuchInAnotherTheOtherTells) {
+  Expected all = expected();
+  all.scenes.push_back({"another", {}, {1}, "", true});
+  for (diagnosis::Run& step : all.steps) step.push_back(step[0]);
+  all.reference = all.steps.back();
+  SceneViews little = all.reference[0], much = little;
+  little.windows[0] = diagnosis::reduced(painted(kClipped, 0.1f, 0.1f, 0.2f, 0.2f, 0.9f), 3);
+  much.windows[0] = diagnosis::reduced(painted(kClipped, 0, 0.6f, 0.35f, 1, 0.9f), 3);
+  Suspect suspect{"m.3"};
+  suspect.isGuess = true;
+  suspect.also = {"m.2"};
+  EXPECT_EQ(letters(rows(all, {little, much}, first(5), suspect)), "dmmdd");
+  EXPECT_EQ(letters(rows(all, {little, all.reference[0]}, first(5), suspect))[2], 'l');
 }
 
 /// Its own picture is right, and what it adds to the window may not be.
@@ -244,6 +279,10 @@ TEST(CheckRows, WhatShowsNothingMayStandOnWhatWasNotSeen) {
   EXPECT_EQ(states(all.steps[1][0], first(2), guess), "mmnnn");
   suspect.todo = "m.3";
   EXPECT_EQ(states(all.steps[2][0], first(3), suspect), "ddwnn");
+  Expected known = all;
+  known.faults = {{"", "", "", "m.2"}};
+  known.faults[0].step = 3; // shows here first
+  EXPECT_EQ(letters(rows(known, {all.steps[2][0]}, first(3), suspect)), "dmmnn");
 }
 
 } // namespace
