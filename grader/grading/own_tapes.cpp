@@ -239,6 +239,14 @@ std::set<std::string> OwnTapes::ownersOf(const repair::Difference& difference) {
   return byLine.empty() && difference.lacks.empty() ? all : byLine;
 }
 
+std::set<std::string> OwnTapes::drawersOf(const std::string& role) {
+  learnOwners();
+  std::set<std::string> todos;
+  if (const auto found = changedBy_.find({role, "draws"}); found != changedBy_.end())
+    for (const auto& [todo, share] : found->second) todos.insert(todo);
+  return todos;
+}
+
 std::set<std::string> OwnTapes::missingIn(const repair::Difference& difference,
                                           const repair::UnitsInDraws& compared) {
   std::set<std::string> missing;

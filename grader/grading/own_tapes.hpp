@@ -41,6 +41,9 @@ public:
   /// or it is a shader.
   std::set<std::string> decidersOf(const repair::Unit& unit);
 
+  /// The TODOs without which passes of a role lack their draws.
+  std::set<std::string> drawersOf(const std::string& role);
+
   /// The TODOs of whose work the submission has nothing that could be judged where this is put
   /// right: because it isn't there, or comes with the reference's draws and shaders.
   /// \param compared units that both have

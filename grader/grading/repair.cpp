@@ -314,6 +314,11 @@ private:
     if (causes.size() > kMostCauses || works.size() > kMostWorks)
       throw NotRepaired(fmt::format("it takes {} changes to make it right", causes.size()));
     blameDeciders(causes);
+    // What is right and passed to the wrong place is the work of who draws.
+    for (ProvedCause& cause : causes)
+      if (differenceIn({cause.role, cause.unit}).second.isAnothers)
+        if (const auto drawers = own_.drawersOf(cause.role); !drawers.empty())
+          cause.todos = drawers;
     // A state that is left reaches passes of several steps: one fault, of what was right before.
     for (const ProvedCause& left : causes)
       if (left.todos.empty() && repair::isState(left.unit))

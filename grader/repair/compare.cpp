@@ -60,6 +60,10 @@ public:
       forEach(command, "image", [](json& id) { id = id.get<std::uint64_t>() + kReferenceImages; });
     }
     programs_.addReferences(reference_);
+    for (const json& command : reference_)
+      if (command.at("op") == "draw")
+        for (const char* what : {"uniforms", "blocks"})
+          for (const auto& [name, value] : command.at(what).items()) given_.insert(value);
     std::set<json> defined;
     for (const json& command : reference_)
       if (command.at("op") == "image" && defined.insert(command["id"]).second)
@@ -355,9 +359,25 @@ private:
       for (const auto& [name, value] : theirs.at(what + 's').items())
         if (own.at(what + 's').contains(name) && (isSameMesh || what != "attribute"))
           patch(what + ' ' + name, at + pointer({what + 's', name}), value);
+    for (const std::string what : {"uniform", "block"})
+      for (const auto& [name, value] : own.at(what + 's').items())
+        if (const auto found = found_.find({role_, what + ' ' + name});
+            found != found_.end() && isTelling(value))
+          found->second.isAnothers = given_.contains(value);
     for (const auto& [name, all] : theirs.at("textures").items())
       if (own.at("textures").contains(name))
         compareTextures(name, own["textures"][name], all, at + pointer({"textures", name}));
+  }
+
+  /// A matrix but the unit matrix, or a block: no two are equal by chance.
+  static bool isTelling(const json& value) {
+    if (!value.contains("values")) return true;
+    const json& values = value["values"];
+    if (values.size() < 9) return false;
+    const std::size_t side = values.size() == 9 ? 3 : 4;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (values[i] != (i % (side + 1) == 0 ? 1 : 0)) return true;
+    return false;
   }
 
   /// Which textures a sampler reads, and how these are sampled.
@@ -454,6 +474,7 @@ private:
   std::string shaders_;              ///< of the draw that is being compared
   bool isPutIn_ = false;             ///< which the submission hasn't got
   std::map<Unit, Difference> found_;
+  std::set<json> given_;                         ///< uniforms and blocks of the reference's draws
   std::set<std::pair<std::string, json>> drawn_; ///< roles, and the shaders that both draw with
   std::set<std::string> drawsOther_;         ///< roles in which the submission has draws of its own
   std::map<Unit, std::set<json>> putIn_;     ///< the shaders of draws that lack

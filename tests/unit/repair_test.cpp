@@ -263,6 +263,27 @@ TEST(Repair, ImagesAreNotTakenForTwoOfTheReferences) {
   EXPECT_NE(images[0], images[1]);
 }
 
+TEST(Repair, AMatrixThatTheReferenceHasElsewhereIsPassedToTheWrongPlace) {
+  const auto matrix = [](double scale, double shift) {
+    return json{{"type", 0x8b5c}, // GL_FLOAT_MAT4
+                {"values", {scale, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, shift, 0, 0, 1}}};
+  };
+  tape::Tape right = reference();
+  right.commands[3]["uniforms"]["uView"] = matrix(1, 2);
+  right.commands[6]["uniforms"]["uView"] = matrix(1, 3);
+  right.commands[6]["uniforms"]["uModel"] = matrix(1, 0);
+  const auto isAnothers = [&](const json& view) {
+    tape::Tape submission = right;
+    submission.commands[3]["uniforms"]["uView"] = view;
+    const Comparison comparison = compare(submission, right);
+    EXPECT_THAT(names(comparison), ElementsAre("0 uniform uView"));
+    return comparison.differences.at(0).isAnothers;
+  };
+  EXPECT_TRUE(isAnothers(matrix(1, 3)));
+  EXPECT_FALSE(isAnothers(matrix(1, 4)));
+  EXPECT_FALSE(isAnothers(matrix(1, 0))) << "a unit matrix may be one by chance";
+}
+
 TEST(Repair, AProgramForSomethingElseIsNamedAsSuch) {
   tape::Tape right = reference();
   right.blobs.push_back(blob(kScreen));
