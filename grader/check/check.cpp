@@ -89,6 +89,10 @@ private:
     // A call that fails does nothing, whether that is seen already or not.
     if (checked_.happened.outcome == results::Outcome::glError && allRight(checked_.rows))
       blameLast(observed_.todo);
+    // What software draws all the same.
+    if (const auto row = std::ranges::find(checked_.rows, observed_.cardTodo, &Row::todo);
+        allRight(checked_.rows) && row != checked_.rows.end() && row->state == State::done)
+      row->state = State::wrong;
     // It ended early in a scene that was not handed out.
     if (!checked_.happened.ok() && allRight(checked_.rows)) blameLast(drawn_.endedAt);
     // Right is what the windows show, however the passes are made.

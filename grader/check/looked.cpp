@@ -127,19 +127,20 @@ std::string noteOf(const Checked& checked, const Row& row) {
   if (row.state == State::done && !isSeen(checked, row))
     return say("as far as can be told: no picture shows it by itself");
   if (row.state == State::done && !row.showsWith.empty())
-    return say("as far as can be told: some mistakes in it show with {} only", row.showsWith);
+    return say("as far as can be told: some mistakes in it show later, the last with {}",
+               row.showsWith);
   std::string notes;
   const auto add = [&](const std::string& note) {
     notes = notes.empty() ? note : say("{}; {}", notes, note);
   };
   if (row.state == State::nearly)
-    add(say("the windows are nearly as they should be: a detail, here or in another step, or "
-            "another right way"));
+    add(say("little of the windows differs: something that covers little of them is wrong, here or "
+            "in another step, or it is another right way"));
   if (row.state == State::differs)
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));
   if (row.state == State::maybe)
-    add(!row.seen ? say("no picture shows it by itself, and what stands on it is wrong")
+    add(!row.seen ? say("no picture shows it by itself, and that of what stands on it is wrong")
         : std::ranges::count(checked.rows, State::maybe, &Row::state) > 1
             ? say("here, or in another step that may be")
             : say("here, or in another step"));

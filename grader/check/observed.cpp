@@ -5,7 +5,10 @@
 #include "report/text.hpp"
 #include "words/words.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 namespace ggrade::check {
@@ -120,6 +123,26 @@ std::string firstTodo(const std::vector<std::string>& texts, const std::vector<s
   return {};
 }
 
+/// Says the doctor that distances are written and not clipped by, or not written?
+bool isClippedOtherwise(const std::string& fault) {
+  return fault.find("GL_CLIP_DISTANCE0") != fault.npos &&
+         fault.find("gl_ClipDistance") != fault.npos;
+}
+
+/// Where shaders write distances.
+std::vector<std::string> clippingPlaces(const fs::path& folder) {
+  std::vector<std::string> places;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder)) {
+    if (file.path().extension() != ".vert") continue;
+    std::istringstream lines(readFile(file.path()));
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number)
+      if (line.substr(0, line.find("//")).find("gl_ClipDistance") != line.npos)
+        places.push_back(fmt::format("({}:{})", file.path().filename().string(), number));
+  }
+  return places;
+}
+
 } // namespace
 
 std::string doctorsPrefix() {
@@ -188,6 +211,8 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
   if (observed.todo.empty() && first <= expected.todos.size())
     observed.todo = expected.todos[first - 1];
   if (observed.todo.empty()) observed.todo = firstTodo(observed.faults, todos, expected, folder);
+  if (std::ranges::any_of(observed.faults, isClippedOtherwise))
+    observed.cardTodo = firstTodo(clippingPlaces(folder), todos, expected, folder);
   return observed;
 }
 

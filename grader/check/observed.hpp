@@ -18,6 +18,9 @@ struct Observed {
   /// at a line is; a state is often left by another.
   std::string todo;
   bool isSure = false;
+  /// In whose lines stands what software draws right and a graphics card doesn't; empty: nothing
+  /// does.
+  std::string cardTodo;
   /// Do `faults` hold more than what samplers read, of which known mistakes say more?
   bool isState = false;
   bool isStorage = false; ///< a texture that is read has another size than in the reference

@@ -139,7 +139,7 @@ TEST(CheckHints, HowFarAndWhatForWhileNothingIsWrong) {
                     HasSubstr("\nNext: assignments/m/README.md, step 2: light it\n")));
   seen.looked.checked.rows[0].showsWith = "m.3";
   EXPECT_THAT(seen.at(Level::where),
-              AllOf(HasSubstr("(as far as can be told: some mistakes in it show with m.3 only)\n"),
+              AllOf(HasSubstr("(as far as can be told: some mistakes in it show later, the last with m.3)\n"),
                     HasSubstr("What it is for: Near hides far (as far as can be told so far)\n")));
   seen.looked.checked.rows[1].state = State::done;
   EXPECT_THAT(seen.at(Level::where), AllOf(HasSubstr("[####--] 2 of 3"),
