@@ -69,7 +69,7 @@ std::string usage(const std::string& program) {
       "  --scene FILE   draw this scene\n"
       "  --mesh NAME    torus_knot, box, plane or an OBJ file\n"
       "  --size WxH     size of the window in pixels\n"
-      "  --lang en|ja   language of what is printed (default: by GG_LANG, else LANG)\n"
+      "  --lang en|ja   language of what is printed (default: by GG_LANG, else the locale)\n"
       "  --help         print this\n"
       "Keys: Esc closes the window, T shows every texture of the frame, space stops the time,\n"
       "the arrow keys step it, F12 saves the picture.\n",

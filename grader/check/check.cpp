@@ -83,7 +83,10 @@ private:
                                                        : suspectInHandedOut(*first);
     checked_.rows = rows(expected_, drawn_.shown, drawn_.begun, suspect);
     // Of several that show the same, or in a scene that was not handed out, none is likelier.
-    if (suspect.also.empty() && !suspect.showsNothing) checked_.likely = suspect.todo;
+    // Nor where a pass is drawn that no step has: it may be another's.
+    if (suspect.also.empty() && !suspect.showsNothing &&
+        (!suspect.isGuess || ownPasses(expected_, *drawn_.shown[0], 0).empty()))
+      checked_.likely = suspect.todo;
     blameStorage();
     if (isTogether(expected_)) settleTogether(suspect.isExplained);
     // A call that fails does nothing, whether that is seen already or not.
@@ -109,6 +112,7 @@ private:
   /// are right, or nearly.
   std::optional<diagnosis::FirstWrong> firstWrong() const {
     std::optional<diagnosis::FirstWrong> little; // may be another right way
+    double share = 0;                            // of that, where most is wrong
     for (const bool another : {false, true}) {
       diagnosis::Run student, should;
       std::vector<std::size_t> scenes;
@@ -135,9 +139,10 @@ private:
             here = earlier;
         }
         here->scene = scenes[i];
-        const bool isLittle = !most->slot && most->share < kNearly;
-        if (!isLittle) return here;
-        if (!little) little = here;
+        if (little) return most->share > kMuchMore * share ? here : little;
+        if (most->slot || most->share >= kNearly) return here;
+        little = here;
+        share = most->share;
         break;
       }
     }

@@ -387,7 +387,7 @@ int run(int argc, char** argv) {
   app.add_option("--folder", options.folder,
                  say("Other files than those in assignments/ID; what it lacks comes from there"));
   app.add_option("--out", options.out, say("The page's file (default out/check-ID.html)"));
-  app.add_option("--lang", options.language, say("en or ja (default: by GG_LANG, else LANG)"))
+  app.add_option("--lang", options.language, say("en or ja (default: by GG_LANG, else the locale)"))
       ->check(CLI::IsMember({"en", "ja"}));
   app.add_option("--format", options.format,
                  say("text, whose lines editors understand, or json, for programs: states, places, "

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <utility>
 
@@ -123,6 +124,19 @@ std::string firstTodo(const std::vector<std::string>& texts, const std::vector<s
   return {};
 }
 
+/// Stands a name in a text, and not as a part of another? In Japanese no spaces are around it.
+bool hasWord(const std::string& text, const std::string& name) {
+  const auto isOfAName = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+  };
+  for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
+    const std::size_t end = at + name.size();
+    if ((at == 0 || !isOfAName(text[at - 1])) && (end == text.size() || !isOfAName(text[end])))
+      return true;
+  }
+  return false;
+}
+
 /// Says the doctor that distances are written and not clipped by, or not written?
 bool isClippedOtherwise(const std::string& fault) {
   return fault.find("GL_CLIP_DISTANCE0") != fault.npos &&
@@ -165,7 +179,7 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
     // Of a texture that shouldn't be read at all it says nothing to the point.
     return text.starts_with(doctor) &&
            std::ranges::none_of(samplers, [&](const SamplerFault& fault) {
-             return fault.isStorage || text.find(' ' + fault.sampler + ' ') != text.npos;
+             return fault.isStorage || hasWord(text, fault.sampler);
            });
   });
   // What it says after that are guesses.

@@ -138,6 +138,10 @@ public:
     return shares.any > 0 ? shares.both / shares.any : 0;
   }
 
+  /// Does the program draw passes in the public scene that it has after none of the steps?
+  bool hasOwnPasses() const { return !ownPasses(expected_, *shown_[0], 0).empty(); }
+  bool isPass(std::size_t cell) const { return cells_[cell].slot.has_value(); }
+
   /// Is this a picture of a scene that was not handed out, which is there for one step?
   bool isAnother(std::size_t cell) const { return expected_.scenes[cells_[cell].scene].another; }
 
@@ -186,17 +190,20 @@ public:
   }
 
   /// The first picture that isn't as after step `should`; of scenes that were not handed out only
-  /// windows count. Of handed-out ones little may be another right way, where another one is wrong.
+  /// windows count. A little may be another right way, where another scene has much more.
   std::optional<std::size_t> firstWrong(std::size_t should) const {
     std::optional<std::size_t> little;
+    double share = 0; // of that
     for (std::size_t c = 0; c < cells_.size(); ++c) {
       if (same(c, should) || (cells_[c].slot && isAnother(c))) continue;
-      const bool isLittle =
-          !cells_[c].slot &&
-          diagnosis::differingShare(ofStep(should, cells_[c]), ofProgram(cells_[c])) < kNearly;
-      if (!isLittle && (!little || isAnother(c))) return c;
-      if (!isLittle) break;
+      const double here =
+          diagnosis::differingShare(ofStep(should, cells_[c]), ofProgram(cells_[c]));
+      const bool isLittle = !cells_[c].slot && here < kNearly;
+      if (!little && !isLittle) return c;
+      if (little && isAnother(c) && here > kMuchMore * share) return c;
+      if (little && !isAnother(c) && !isLittle) break;
       if (!little) little = c;
+      if (!isAnother(c)) share = std::max(share, here);
     }
     return little;
   }
@@ -445,6 +452,11 @@ private:
     if (!wrong_ || isKnown || !(inWindows || suspect_.isGuess)) return;
     if (isLast && !suspect_.isLater && !isInAnother()) return doubtEarlier();
     mayBe(suspect_.isLater ? begun_ : drawing);
+    // One that draws where no step does may have taken another's picture for a step's own.
+    if (judging_.hasOwnPasses())
+      for (std::size_t k = 1; k < indexOf(culprit); ++k)
+        if (first_[k] && isBegun(all_[k - 1]) && judging_.isPass(*first_[k]))
+          all_[k - 1].state = State::maybe;
     mayBe(suspect_.also);
     mayBe({suspect_.todo});
     // A step before may have another scene's picture wrong, which doesn't come of this one.

@@ -15,6 +15,10 @@ namespace ggrade::check {
 /// change is at most 1.6%; a change of that size that no known mistake makes is not called wrong.
 inline constexpr double kNearly = 0.02;
 
+/// A little in a handed-out scene may be another right way where another scene has so many times
+/// as much.
+inline constexpr double kMuchMore = 10;
+
 enum class State {
   notBegun,
   done,    ///< as far as the scenes that were drawn can show it

@@ -119,7 +119,7 @@ int run(int count, char** given, const std::vector<AddCommand>& commands) {
       "Also: ggrade run ID (a window), ggrade list, render, inspect, ggrade test (all tests),\n"
       "ggrade compare A B (two images),\n"
       "for authors of assignments ggrade calibrate, tradeoff, derive, new, release.\n"
-      "Every command: --lang en|ja, what students read (default: by GG_LANG, else LANG).");
+      "Every command: --lang en|ja, what students read (default: by GG_LANG, else the locale).");
   app.set_version_flag("--version", versionText);
   app.require_subcommand(1);
   sayErrors(app);

@@ -255,6 +255,7 @@ TEST(CheckRows, OfALittleInAHandedOutSceneAndMuchInAnotherTheOtherTells) {
   suspect.also = {"m.2"};
   EXPECT_EQ(letters(rows(all, {little, much}, first(5), suspect)), "dmmdd");
   EXPECT_EQ(letters(rows(all, {little, all.reference[0]}, first(5), suspect))[2], 'l');
+  EXPECT_EQ(letters(rows(all, {little, little}, first(5), suspect))[2], 'l') << "as little there";
 }
 
 /// Its own picture is right, and what it adds to the window may not be.
