@@ -259,14 +259,18 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
     };
     for (std::size_t i = 0; i < expected.scenes.size(); ++i)
       show(i, [&](const check::Fault& fault) { return isOwn(expected.scenes[i], fault); });
-    // What shows in none of these may do so in another TODO's, or in one that wasn't handed out.
+    // What shows in none of these may do so in another TODO's, or in one that wasn't handed out and
+    // is there for its own.
     for (const bool another : {false, true}) {
       const std::set<std::string> visibleThere = visible;
-      for (std::size_t i = 0; finished && i < expected.scenes.size(); ++i)
+      for (std::size_t i = 0; finished && i < expected.scenes.size(); ++i) {
+        const check::Scene& scene = expected.scenes[i];
         show(i, [&](const check::Fault& fault) {
-          return expected.scenes[i].another == another && !isOwn(expected.scenes[i], fault) &&
+          return scene.another == another && !isOwn(scene, fault) &&
+                 (!another || scene.todo == fault.todo || scene.also.count(fault.todo)) &&
                  !visibleThere.count(fault.signature.name);
         });
+      }
     }
     for (check::Fault& fault : made)
       if (finished || visible.count(fault.signature.name)) {

@@ -189,7 +189,8 @@ private:
     suspect.showsNothing = checked_.cause.empty() && !observed_.isSure && showsNothingNew();
     if (suspect.showsNothing) {
       suspect.todo = expected_.todos[drawn_.step - 1];
-      suspect.also.clear();
+      suspect.also =
+          KnownMistakes(expected_, drawn_.shown, drawn_.begun, drawn_.step).hidingTheStep();
       suspect.isGuess = false;
     }
     nothingNew_ = suspect.showsNothing;

@@ -42,6 +42,16 @@ std::set<std::string> KnownMistakes::spoiling(const std::optional<diagnosis::Slo
   return todos;
 }
 
+std::set<std::string> KnownMistakes::hidingTheStep() const {
+  std::set<std::string> todos;
+  for (const Fault& fault : expected_.faults)
+    if (step_ > 0 && fault.step == step_ && fault.scenes.count(0) && begun_.count(fault.todo) &&
+        fault.todo != expected_.todos[step_ - 1] && !todos.count(fault.todo) &&
+        samePictures(viewsOf(fault, 0), expected_.steps[step_ - 1][0]))
+      todos.insert(fault.todo);
+  return todos;
+}
+
 bool KnownMistakes::isWrongIn(std::size_t scene) const {
   const auto [known, fresh] = wrong_.try_emplace(scene);
   if (fresh)

@@ -28,6 +28,10 @@ public:
   /// spoil a scene, or the window of one, in which this program is right.
   std::set<std::string> spoiling(const std::optional<diagnosis::Slot>& slot) const;
 
+  /// TODOs before the last one of those that show nothing of it in the public scene: all is as if
+  /// it weren't there.
+  std::set<std::string> hidingTheStep() const;
+
 private:
   std::vector<const Fault*> like(std::size_t scene, std::size_t step) const;
   diagnosis::SceneViews viewsOf(const Fault& fault, std::size_t scene) const;

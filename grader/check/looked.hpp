@@ -16,7 +16,7 @@ struct Looked {
   std::string handout;          ///< its file, from the kit's root: "assignments/floor/mirror.md"
   std::filesystem::path folder; ///< of the student's files
   Checked checked;
-  std::vector<Place> places;  ///< of the TODO to look at now
+  std::vector<Place> places; ///< of the TODO to look at now
   /// The first places of the others that are as likely, by their IDs.
   std::map<std::string, Place> otherPlaces;
   Level level = Level::where; ///< so much of the fault is told on the terminal

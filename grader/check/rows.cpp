@@ -442,15 +442,14 @@ private:
           row.state = State::maybe;
     };
     if (isKnown && !suspect_.also.empty()) return mayBe(suspect_.also);
-    const auto doubtEarlier = [&] {
+    if (suspect_.showsNothing) return doubtUnseenBefore(culprit);
+    if (!wrong_ || isKnown || !(inWindows || suspect_.isGuess)) return;
+    if (isLast && !suspect_.isLater && !isInAnother()) {
       std::set<std::string> earlier = shownFirstHere();
       earlier.erase(culprit.todo);
       if (!earlier.empty()) mayBe(earlier);
-      doubtUnseenBefore(culprit);
-    };
-    if (suspect_.showsNothing) return doubtEarlier();
-    if (!wrong_ || isKnown || !(inWindows || suspect_.isGuess)) return;
-    if (isLast && !suspect_.isLater && !isInAnother()) return doubtEarlier();
+      return doubtUnseenBefore(culprit);
+    }
     mayBe(suspect_.isLater ? begun_ : drawing);
     // One that draws where no step does may have taken another's picture for a step's own.
     if (judging_.hasOwnPasses())

@@ -76,6 +76,20 @@ TEST_F(CheckKnown, OfAnUnfinishedOneTheLastStepIsWhatWasMadeJustNow) {
   EXPECT_THAT(like(all), ElementsAre("late"));
 }
 
+TEST_F(CheckKnown, AMistakeOfAnEarlierStepMayHideTheLast) {
+  const auto hiding = [&](const Expected& made) {
+    save(made, folder_.path());
+    const Expected all = load(folder_.path());
+    return KnownMistakes(all, {windowOf(kFirstDone)}, {"mirror.1", "mirror.2"}, 2).hidingTheStep();
+  };
+  Expected all = twoSteps();
+  EXPECT_THAT(hiding(all), testing::IsEmpty());
+  all.faults[1].signature.run = {windowOf(kFirstDone)};
+  EXPECT_THAT(hiding(all), ElementsAre("mirror.1"));
+  all.faults[1].todo = "mirror.2";
+  EXPECT_THAT(hiding(all), testing::IsEmpty()) << "that isn't written, or not called";
+}
+
 /// What would show in a scene that is right isn't there.
 TEST_F(CheckKnown, AMistakeThatWouldSpoilARightSceneSpoilsNothing) {
   Expected made = twoSteps();
