@@ -83,10 +83,11 @@ private:
                                                        : suspectInHandedOut(*first);
     checked_.rows = rows(expected_, drawn_.shown, drawn_.begun, suspect);
     // Of several that show the same, or in a scene that was not handed out, none is likelier.
-    // Nor where a pass is drawn that no step has: it may be another's.
-    if (suspect.also.empty() && !suspect.showsNothing &&
-        (!suspect.isGuess || ownPasses(expected_, *drawn_.shown[0], 0).empty()))
-      checked_.likely = suspect.todo;
+    // Nor where a pass is drawn that no step has, or where it is only like a known mistake.
+    const auto& shown = drawn_.shown[0];
+    const bool isVague = suspect.isGuess && ((shown && !ownPasses(expected_, *shown, 0).empty()) ||
+                                             (!resemblance_.empty() && observed_.todo.empty()));
+    if (suspect.also.empty() && !suspect.showsNothing && !isVague) checked_.likely = suspect.todo;
     blameStorage();
     if (isTogether(expected_)) settleTogether(suspect.isExplained);
     // A call that fails does nothing, whether that is seen already or not.

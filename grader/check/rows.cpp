@@ -139,7 +139,7 @@ public:
   }
 
   /// Does the program draw passes in the public scene that it has after none of the steps?
-  bool hasOwnPasses() const { return !ownPasses(expected_, *shown_[0], 0).empty(); }
+  bool hasOwnPasses() const { return shown_[0] && !ownPasses(expected_, *shown_[0], 0).empty(); }
   bool isPass(std::size_t cell) const { return cells_[cell].slot.has_value(); }
 
   /// Is this a picture of a scene that was not handed out, which is there for one step?
