@@ -160,6 +160,8 @@ private:
     return true;
   }
 
+  KnownMistakes known() const { return {expected_, drawn_.shown, drawn_.begun, drawn_.step}; }
+
   Suspect suspectInHandedOut(const diagnosis::FirstWrong& first) {
     Suspect suspect;
     if (isRightInWindows()) return suspect;
@@ -178,9 +180,7 @@ private:
       doubtCatalogue();
     suspect.isSure = !checked_.cause.empty() || observed_.isSure;
     suspect.isGuess = checked_.cause.empty();
-    if (suspect.isGuess)
-      suspect.spoiling =
-          KnownMistakes(expected_, drawn_.shown, drawn_.begun, drawn_.step).spoiling(first.slot);
+    if (suspect.isGuess) suspect.spoiling = known().spoiling(first.slot);
     if ((checked_.cause.empty() || observed_.isSure) && drawn_.begun.count(observed_.todo)) {
       suspect.todo = observed_.todo;
       suspect.isGuess = !observed_.isSure;
@@ -190,8 +190,7 @@ private:
     suspect.showsNothing = checked_.cause.empty() && !observed_.isSure && showsNothingNew();
     if (suspect.showsNothing) {
       suspect.todo = expected_.todos[drawn_.step - 1];
-      suspect.also =
-          KnownMistakes(expected_, drawn_.shown, drawn_.begun, drawn_.step).hidingTheStep();
+      suspect.also = known().hidingTheStep();
       suspect.isGuess = false;
     }
     nothingNew_ = suspect.showsNothing;
@@ -215,10 +214,10 @@ private:
       suspect.also.clear();
       suspect.isExplained = true;
     }
-    const std::string known = likeliest(first.scene);
+    const std::string likely = likeliest(first.scene);
     resemblance_.clear(); // what is only like a mistake may as well be a number typed in
     if (!checked_.cause.empty()) {
-      suspect.todo = known;
+      suspect.todo = likely;
       suspect.also = also_;
       suspect.isGuess = false;
       suspect.isExplained = true;
@@ -340,7 +339,7 @@ private:
   /// empty: none is known. Those of the others go into `also_`.
   std::string likeliest(std::size_t scene) {
     also_.clear();
-    const KnownMistakes known(expected_, drawn_.shown, drawn_.begun, drawn_.step);
+    const KnownMistakes known = this->known();
     const std::vector<const Fault*> faults = known.like(scene);
     if (faults.empty() || faults.size() > kMostCauses) return {};
     if (faults.size() == 1) {

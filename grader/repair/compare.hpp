@@ -28,7 +28,7 @@ struct Difference {
   bool isUnseen = false;
   /// Of a function or shader: the reference's lines that the submission's lacks.
   std::set<std::string> lacks{};
-  bool adds = false;               ///< and has the submission's lines that the reference's lacks?
+  bool adds = false; ///< and has the submission's lines that the reference's lacks?
   /// Of a matrix or block: is it what the reference has elsewhere? Then it is passed to the wrong
   /// place, and not made wrong.
   bool isAnothers = false;
