@@ -2,6 +2,7 @@
 #include "authoring/comments.hpp"
 #include "cli/commands.hpp"
 #include "cli/terminal.hpp"
+#include "grading/owners.hpp"
 #include "report/write_file.hpp"
 
 #include <fmt/format.h>
@@ -11,6 +12,19 @@ namespace ggrade::cli {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// What grading by repair would else have to learn first.
+void keepOwners(const Assignment& assignment, const fs::path& solutions) {
+  requireSandbox();
+  Progress progress("learning " + assignment.id);
+  try {
+    grading::keepOwners(assignment, solutions, std::ref(progress));
+    progress.clear();
+  } catch (const grading::NoTape& error) {
+    progress.clear();
+    fmt::print("{}: faults can't be repaired when it is graded: {}\n", assignment.id, error.what());
+  }
+}
 
 struct DeriveOptions {
   std::string id, out;
@@ -45,6 +59,7 @@ void derive(const DeriveOptions& options) {
   if (!options.noPictures) pictures = std::ref(progress);
   authoring::deriveInto(assignment, solutions, comments, into, pictures);
   progress.clear();
+  if (options.out.empty()) keepOwners(assignment, solutions);
   for (const std::string& text : authoring::outOfStep(assignment, solutions))
     fmt::print("{}\n", text);
   fmt::print("{}: stub and handout are in step with {}\n", into.string(), solutions.string());

@@ -306,8 +306,9 @@ private:
     missing_.clear();
     for (const Unit& unit : found) {
       const auto& [scene, one] = differenceIn(unit);
-      causes.push_back({one.passes, unit.role, unit.name, own_.ownersOf(one), one.isUnseen});
-      missing_.merge(own_.missingIn(one, scene.compared));
+      causes.push_back(
+          {one.passes, unit.role, unit.name, own_.owners().ownersOf(one), one.isUnseen});
+      missing_.merge(own_.owners().missingIn(one, scene.compared));
     }
     std::set<std::set<std::string>> works;
     for (const ProvedCause& cause : causes) works.insert(cause.todos);
@@ -317,7 +318,7 @@ private:
     // What is right and passed to the wrong place is the work of who draws.
     for (ProvedCause& cause : causes)
       if (differenceIn({cause.role, cause.unit}).second.isAnothers)
-        if (const auto drawers = own_.drawersOf(cause.role); !drawers.empty())
+        if (const auto drawers = own_.owners().drawersOf(cause.role); !drawers.empty())
           cause.todos = drawers;
     // A state that is left reaches passes of several steps: one fault, of what was right before.
     for (const ProvedCause& left : causes)
@@ -333,7 +334,7 @@ private:
   void blameDeciders(std::vector<ProvedCause>& causes) {
     std::vector<std::set<std::string>> deciders;
     for (ProvedCause& cause : causes) {
-      deciders.push_back(own_.decidersOf({cause.role, cause.unit}));
+      deciders.push_back(own_.owners().decidersOf({cause.role, cause.unit}));
       if (cause.todos.empty()) cause.changedBy = deciders.back();
       if (cause.todos.empty() || cause.isUnseen || deciders.back().empty())
         deciders.back() = cause.todos;

@@ -55,26 +55,9 @@ std::string rendererIdentity() {
 
 /// What compilers read and link besides a program's own files.
 const std::string& compilerKey() {
-  static const std::string key = toolKey() + hashOfFiles(filesIn<fs::recursive_directory_iterator>(
-                                                 fs::path(toolchain::kKitFolder) / "include"));
+  static const std::string key =
+      toolKey() + hashOfFolder(fs::path(toolchain::kKitFolder) / "include");
   return key;
-}
-
-/// A hash of what a program is built from and reads. How it is judged, and for how many points, is
-/// no part of that: who works on a rubric doesn't wait for new pictures.
-std::string hashOfProgram(const Assignment& assignment, const fs::path& sources) {
-  json declared = readJson(assignment.folder / "assignment.json");
-  for (json& part : declared.at("parts")) part.erase("items");
-  std::string all = hashOf(declared.dump());
-  const auto add = [&](const std::string& name, const fs::path& file) {
-    all += name + ' ' + hashOf(readFile(file)) + '\n';
-  };
-  for (const std::string& name : assignment.dataFiles())
-    if (name != "assignment.json") add(name, assignment.folder / name);
-  for (const std::string& name : ownFiles(assignment, sources)) add(name, sources / name);
-  for (const std::string& name : assignment.files) // the handed-out ones stand in
-    if (!fs::exists(sources / name)) add(name, assignment.folder / name);
-  return hashOf(all);
 }
 
 /// Where what the compiler makes of these files is kept: the program and the compiler's words.
@@ -135,8 +118,29 @@ fs::path lockOf(const std::string& what) {
   return folder / hashOf(what);
 }
 
+std::string hashOfFolder(const fs::path& folder) {
+  return hashOfFiles(filesIn<fs::recursive_directory_iterator>(folder));
+}
+
+/// How it is judged, and for how many points, is no part of that: who works on a rubric doesn't
+/// wait for new pictures.
+std::string sourcesKey(const Assignment& assignment, const fs::path& sources) {
+  json declared = readJson(assignment.folder / "assignment.json");
+  for (json& part : declared.at("parts")) part.erase("items");
+  std::string all = hashOf(declared.dump());
+  const auto add = [&](const std::string& name, const fs::path& file) {
+    all += name + ' ' + hashOf(readFile(file)) + '\n';
+  };
+  for (const std::string& name : assignment.dataFiles())
+    if (name != "assignment.json") add(name, assignment.folder / name);
+  for (const std::string& name : ownFiles(assignment, sources)) add(name, sources / name);
+  for (const std::string& name : assignment.files) // the handed-out ones stand in
+    if (!fs::exists(sources / name)) add(name, assignment.folder / name);
+  return hashOf(all);
+}
+
 std::string programKey(const Assignment& assignment, const fs::path& sources) {
-  return hashOf(toolKey() + assignment.id + hashOfProgram(assignment, sources));
+  return hashOf(toolKey() + assignment.id + sourcesKey(assignment, sources));
 }
 
 Program::Program(const Assignment& assignment, const Recipe& recipe, Isolation isolation, Use use)

@@ -27,6 +27,12 @@ std::string identity(const trace::Request& trace);
 /// these files and what else it reads.
 std::string programKey(const Assignment& assignment, const std::filesystem::path& sources);
 
+/// The same without the tool: equal on every machine.
+std::string sourcesKey(const Assignment& assignment, const std::filesystem::path& sources);
+
+/// A hash of the files in a folder and in those in it, by name.
+std::string hashOfFolder(const std::filesystem::path& folder);
+
 /// Puts `made` (a file or a folder) where the cache keeps it, in one step. Who has made the same
 /// meanwhile is as right, and a cache without room costs time, no result.
 void keep(const std::filesystem::path& made, const std::filesystem::path& kept);

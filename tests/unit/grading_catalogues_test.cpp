@@ -2,6 +2,7 @@
 // and in its pairs. What they are worth is for `ggrade calibrate` to say.
 
 #include "grading/catalogue.hpp"
+#include "grading/owners.hpp"
 #include "grading/recipe.hpp"
 
 #include "framework_temporary_folder.hpp"
@@ -36,6 +37,12 @@ protected:
         grading::writeFiles(target_.assignment, {solution_, patches}, into.path() / "submission"));
   }
 };
+
+// Grading learns them else, half a minute for each part.
+TEST_P(Catalogues, WhoseWorkIsWhatIsKeptOfTheFilesThatAreThere) {
+  EXPECT_TRUE(grading::areOwnersKept(target_, solution_))
+      << "run ./ggrade derive " << target_.assignment.id << " --no-pictures";
+}
 
 TEST_P(Catalogues, EveryMistakeSpeaksInSentences) {
   for (const grading::Mistake& mistake : all_.mistakes) {
