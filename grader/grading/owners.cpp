@@ -97,7 +97,8 @@ std::string Owners::textOfPart(const Target& part, const fs::path& solutionFolde
 }
 
 void Owners::addText(const std::string& text) {
-  for (const auto& [role, units] : json::parse(text).at("units").items())
+  const json all = json::parse(text);
+  for (const auto& [role, units] : all.at("units").items())
     for (const auto& [unit, known] : units.items()) {
       for (const auto& [todo, share] : known.value("without", json::object()).items())
         changedBy_[{role, unit}][todo] = {share.at("lines"), share.at("shaders")};
