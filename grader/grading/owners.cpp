@@ -100,10 +100,11 @@ void Owners::addText(const std::string& text) {
   const json all = json::parse(text);
   for (const auto& [role, units] : all.at("units").items())
     for (const auto& [unit, known] : units.items()) {
-      for (const auto& [todo, share] : known.value("without", json::object()).items())
-        changedBy_[{role, unit}][todo] = {share.at("lines"), share.at("shaders")};
-      for (const json& todo : known.value("decided by", json::array()))
-        decidedBy_[{role, unit}].insert(todo);
+      if (known.contains("without"))
+        for (const auto& [todo, share] : known.at("without").items())
+          changedBy_[{role, unit}][todo] = {share.at("lines"), share.at("shaders")};
+      if (known.contains("decided by"))
+        for (const json& todo : known.at("decided by")) decidedBy_[{role, unit}].insert(todo);
     }
 }
 
