@@ -357,11 +357,17 @@ private:
     throw std::logic_error("a cause that no scene has: " + unit.name);
   }
 
-  /// Each item keeps the better of what it had and what it has when all causes are repaired but
-  /// those that are its own work. False: a scene needs more than `found`, which now has that, too.
-  bool settle(std::vector<Unit>& found) {
-    const std::vector<ProvedCause> causes = causesOf(found);
-    std::map<std::vector<Unit>, std::vector<std::string>> byRepaired; // what is repaired: for whom
+  /// What is put right, and the items that are judged by that.
+  struct Variant {
+    std::vector<Unit> repaired;
+    std::vector<std::string> items;
+  };
+
+  /// For each item that lost points all causes but those that are its own work; first all of them,
+  /// which tells if they are enough.
+  std::vector<Variant> variantsOf(const std::vector<Unit>& found,
+                                  const std::vector<ProvedCause>& causes) const {
+    std::vector<Variant> variants = {{found, {}}};
     for (const results::Item& item : items_) {
       // Of work that isn't there, what the reference's in its place shows says nothing.
       if (report::lost(item) <= 0 ||
@@ -370,13 +376,24 @@ private:
       std::vector<Unit> repaired;
       for (std::size_t i = 0; i < causes.size(); ++i)
         if (!charges_.isWorkOf(causes[i], item.id, causes)) repaired.push_back(found[i]);
-      if (!repaired.empty()) byRepaired[repaired].push_back(item.id);
+      if (repaired.empty()) continue;
+      auto variant = std::ranges::find(variants, repaired, &Variant::repaired);
+      if (variant == variants.end()) variant = variants.insert(variant, {std::move(repaired), {}});
+      variant->items.push_back(item.id);
     }
-    std::vector<std::vector<Unit>> variants = {found};
-    for (const auto& [repaired, ids] : byRepaired) variants.push_back(repaired);
+    return variants;
+  }
+
+  /// Each item keeps the better of what it had and what it has when all causes are repaired but
+  /// those that are its own work. False: a scene needs more than `found`, which now has that, too.
+  bool settle(std::vector<Unit>& found) {
+    const std::vector<ProvedCause> causes = causesOf(found);
+    const std::vector<Variant> variants = variantsOf(found, causes);
+    std::vector<std::vector<Unit>> repaired;
+    for (const Variant& variant : variants) repaired.push_back(variant.repaired);
     std::vector<std::vector<Drawn>> drawn(scenes_.size());
     inParallel(scenes_.size(), threads_,
-               [&](std::size_t i) { drawn[i] = draw(scenes_[i], variants); });
+               [&](std::size_t i) { drawn[i] = draw(scenes_[i], repaired); });
     const auto judged = [&](std::size_t variant, const std::vector<std::string>& items) {
       std::map<std::size_t, fs::path> folders;
       for (std::size_t i = 0; i < scenes_.size(); ++i)
@@ -384,14 +401,20 @@ private:
           folders[scenes_[i].index] = folder->path();
       return judge(folders, items);
     };
-    if (const std::vector<Unit> more = searchOthers(judged(0, lossy_), found); !more.empty()) {
+    std::vector<std::string> lost = lossy_;
+    for (const std::string& id : variants[0].items)
+      if (std::ranges::find(lost, id) == lost.end()) lost.push_back(id); // a bonus
+    const std::vector<results::Item> allRepaired = judged(0, lost);
+    if (const std::vector<Unit> more = searchOthers(allRepaired, found); !more.empty()) {
       found.insert(found.end(), more.begin(), more.end());
       return false;
     }
     const std::vector<results::Item> before = items_;
-    for (std::size_t k = 1; k < variants.size(); ++k)
-      for (const results::Item& again : judged(k, byRepaired[variants[k]]))
-        keepBetter(again, causes);
+    for (std::size_t k = 0; k < variants.size(); ++k) {
+      const auto& items = variants[k].items;
+      for (const results::Item& again : k == 0 ? allRepaired : judged(k, items))
+        if (std::ranges::find(items, again.id) != items.end()) keepBetter(again, causes);
+    }
     charges_.settle(items_, before, causes);
     return true;
   }
