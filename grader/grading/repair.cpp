@@ -215,9 +215,15 @@ private:
       return units;
     };
     std::vector<Unit> all; // narrow ones first
-    for (const repair::Difference& one : scene.differences)
-      if (all.size() < kMostTried && std::ranges::find(already, one.unit) == already.end())
-        all.push_back(one.unit);
+    std::set<std::string> missing;
+    for (const repair::Difference& one : scene.differences) {
+      if (all.size() >= kMostTried || std::ranges::find(already, one.unit) != already.end())
+        continue;
+      all.push_back(one.unit);
+      missing.merge(own_.owners().missingIn(one, scene.compared));
+    }
+    // Where the work of two steps lacks, no unit alone does.
+    const bool mayBeOne = !already.empty() || missing.size() < 2;
     if (all.empty()) return {};
     std::vector<std::vector<Unit>> levels(kWidths), tried;
     const auto tryOut = [&](const std::vector<Unit>& units) { // once, however it came about
@@ -232,11 +238,12 @@ private:
           levels[std::size_t(width)].push_back(unit);
     std::vector<std::size_t> ofLevel, ofUnit; // in what was tried
     for (const auto& level : levels) ofLevel.push_back(tryOut(with(level)));
-    for (const Unit& unit : all) ofUnit.push_back(tryOut(with({unit})));
+    for (std::size_t i = 0; mayBeOne && i < all.size(); ++i)
+      ofUnit.push_back(tryOut(with({all[i]})));
     std::vector<Drawn> drawn = draw(scene, tried);
     // What isn't right with all of them isn't right with fewer.
     if (!isRight(scene, drawn[ofLevel.back()])) return {};
-    std::vector<std::size_t> order(all.size());
+    std::vector<std::size_t> order(ofUnit.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, {}, [&](std::size_t i) {
       return std::pair(widthOf(all[i].name), drawn[ofUnit[i]].distance);
