@@ -15,8 +15,11 @@ namespace {
 
 /// Less than any lit surface of the scene reaches, and what is left of white after rounding.
 constexpr float kWhite = 0.98f;
-/// What faces without anything that connects them are worth.
-constexpr double kFacesAlone = 0.3;
+/// What faces without anything that connects them are worth, and connected ones of which the volume
+/// has another shape.
+constexpr double kFacesAlone = 0.3, kAnyWalls = 0.65;
+/// A volume of which so much beside the object is wrong has another shape.
+constexpr double kAnotherShape = 0.3;
 
 Mask white(const Image& image) {
   Mask mask(image.width(), image.height());
@@ -38,24 +41,6 @@ Shown volumeIn(const View& view, const Image& frame) {
   return {all & ~dilate(regions.caster, 1), all & regions.onCaster};
 }
 
-Verdict mesh(const View& view) {
-  const Shown found = volumeIn(view, view.frames.at(0));
-  const Shown wanted = volumeIn(view, view.scene.reference.at(0));
-  const double faces = double((found.faces & wanted.faces).count()) /
-                       double(std::max<std::size_t>(wanted.faces.count(), 1));
-  // How far the rectangles reach is another item's.
-  const double beside =
-      double(found.beside.count()) / double(std::max<std::size_t>(wanted.beside.count(), 1));
-  return {std::clamp((faces - 0.5) / 0.45, 0.0, 1.0) *
-              (kFacesAlone + (1 - kFacesAlone) * std::min(1.0, beside / 0.4)),
-          gg::say("{:.0f}% of the faces towards the lamp are white, and beside the object {} "
-                  "pixels; {} in the reference",
-                  100 * faces, found.beside.count(), wanted.beside.count())};
-}
-
-/// A volume of which so much beside the object is wrong has another shape.
-constexpr double kAnotherShape = 0.3;
-
 Verdict extruded(const View& view) {
   const Shown found = volumeIn(view, view.frames.at(0));
   const Shown wanted = volumeIn(view, view.scene.reference.at(0));
@@ -66,6 +51,22 @@ Verdict extruded(const View& view) {
           gg::say("beside the object {} pixels must be white; {} of them are not, and {} "
                   "others are{}",
                   pixels.wanted, pixels.missing, pixels.extra, densestAt(densestWindow(wrong)))};
+}
+
+Verdict mesh(const View& view) {
+  const Shown found = volumeIn(view, view.frames.at(0));
+  const Shown wanted = volumeIn(view, view.scene.reference.at(0));
+  const double faces = double((found.faces & wanted.faces).count()) /
+                       double(std::max<std::size_t>(wanted.faces.count(), 1));
+  // How far the rectangles reach is another item's, and so is part of the shape.
+  const double beside =
+      double(found.beside.count()) / double(std::max<std::size_t>(wanted.beside.count(), 1));
+  const double walls = kFacesAlone + (kAnyWalls - kFacesAlone) * std::min(1.0, beside / 0.4) +
+                       (1 - kAnyWalls) * extruded(view).quality;
+  return {std::clamp((faces - 0.5) / 0.45, 0.0, 1.0) * walls,
+          gg::say("{:.0f}% of the faces towards the lamp are white, and beside the object {} "
+                  "pixels; {} in the reference",
+                  100 * faces, found.beside.count(), wanted.beside.count())};
 }
 
 /// Who has what the volume is for has the volume.
