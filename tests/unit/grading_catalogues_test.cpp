@@ -39,6 +39,24 @@ protected:
 };
 
 // Grading learns them else, half a minute for each part.
+// What is kept is read as it stands there, and a whole assignment knows what its parts do.
+TEST(Owners, OfAWholeAssignmentAreThoseOfItsParts) {
+  const Target floor = findTarget(GGRADE_SOURCE_DIR "/assignments", "floor");
+  const fs::path solution = GGRADE_SOURCE_DIR "/solutions/floor";
+  const grading::Owners owners(floor, solution);
+  for (const Part& part : floor.parts) {
+    std::size_t roles = 0;
+    const auto kept = readJson(grading::ownersFile(solution, part.id));
+    for (const auto& [role, units] : kept.at("units").items()) {
+      if (!units.contains("draws") || !units.at("draws").contains("without")) continue;
+      ++roles;
+      for (const auto& [todo, share] : units.at("draws").at("without").items())
+        EXPECT_THAT(owners.drawersOf(role), Contains(todo)) << role;
+    }
+    EXPECT_GT(roles, 0u) << part.id;
+  }
+}
+
 TEST_P(Catalogues, WhoseWorkIsWhatIsKeptOfTheFilesThatAreThere) {
   EXPECT_TRUE(grading::areOwnersKept(target_, solution_))
       << "run ./ggrade derive " << target_.assignment.id << " --no-pictures";
