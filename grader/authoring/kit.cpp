@@ -84,6 +84,30 @@ void markDone(const fs::path& file, const std::set<std::string>& filled) {
   if (changed) report::writeFile(file, text);
 }
 
+/// Says in a part's handouts which of its steps come filled in.
+void noteDone(const HandedOut& handedOut, const fs::path& folder) {
+  const gg::Language chosen = gg::language();
+  for (const Written& written : kWritten)
+    for (const Part& part : handedOut.assignment.parts) {
+      const fs::path file =
+          folder / ((handedOut.assignment.isOnePart() ? "README" : part.id) + written.ending);
+      std::vector<std::string> done;
+      for (const Todo& todo : part.todos)
+        if (handedOut.filled.count(todo.id)) done.push_back(todo.id);
+      if (done.empty() || !fs::exists(file)) continue;
+      gg::setLanguage(written.language);
+      const std::string note =
+          done.size() == part.todos.size()
+              ? gg::say("In this kit all of this part comes filled in: where the text says "
+                        "`TODO({})`, the files say `DONE({})`.",
+                        done.front(), done.front())
+              : gg::say("In this kit these steps come filled in, marked `DONE`: {}.",
+                        fmt::join(done, ", "));
+      report::writeFile(file, fmt::format("> {}\n\n{}", note, readFile(file)));
+    }
+  gg::setLanguage(chosen);
+}
+
 void writeAssignment(const HandedOut& handedOut, gg::Language comments, const fs::path& kit,
                      const grading::Progress& progress) {
   const Assignment& assignment = handedOut.assignment;
@@ -92,6 +116,7 @@ void writeAssignment(const HandedOut& handedOut, gg::Language comments, const fs
   copyTree(assignment.folder, folder);
   writeSources(assignment, solutions, handedOut.filled, comments, folder);
   for (const std::string& file : assignment.files) markDone(folder / file, handedOut.filled);
+  noteDone(handedOut, folder);
   std::vector<Part> parts = handedOut.parts;
   if (check::hasTogether(assignment)) parts.push_back(check::togetherOf(assignment));
   for (const Part& part : parts) {

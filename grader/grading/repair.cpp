@@ -354,6 +354,16 @@ private:
                                         std::inserter(lacking, lacking.end()));
       causes[i].todos = lacking.empty() ? deciders[i] : lacking;
     }
+    // Of several steps whose work it may be, one that another cause proves: one fault.
+    std::set<std::string> proved;
+    for (const ProvedCause& cause : causes)
+      if (cause.todos.size() == 1) proved.insert(*cause.todos.begin());
+    for (ProvedCause& cause : causes) {
+      if (repair::isShader(cause.unit) || cause.isUnseen) continue; // lines and draws tell
+      std::set<std::string> both;
+      std::ranges::set_intersection(cause.todos, proved, std::inserter(both, both.end()));
+      if (!both.empty()) cause.todos = both;
+    }
   }
 
   /// In the worst of the scenes that have it.

@@ -73,6 +73,11 @@ TEST(Release, TodosThatAreNotNamedComeFilledIn) {
               AllOf(HasSubstr("// TODO(mirror.4): y = 0の平面での物体の鏡像を描画する。\n"),
                     Not(HasSubstr("Given:"))));
   EXPECT_EQ(read(kit / "expected/mirror/handed_out/mirror.hpp"), program);
+  EXPECT_THAT(read(kit / "assignments/floor/mirror.md"),
+              testing::StartsWith("> In this kit these steps come filled in, marked `DONE`: "
+                                  "mirror.1, mirror.2, mirror.3, mirror.6, mirror.7.\n"));
+  EXPECT_THAT(read(kit / "assignments/floor/shadow.ja.md"),
+              testing::StartsWith("> このキットでは、このパートはすべて完成した"));
   EXPECT_TRUE(fs::exists(kit / ".devcontainer/devcontainer.json"));
   EXPECT_TRUE(fs::exists(kit / ".devcontainer/Dockerfile"));
   const fs::path expected = kit / "expected";
