@@ -123,7 +123,7 @@ Outcome gradeClass(const Target& target, const fs::path& solutionFolder,
   if (grading::repairs()) { // now, and not by every worker at the same time
     preparing("whose work is what", 0, 1);
     try {
-      grading::OwnTapes(target, solutionFolder, references).owners();
+      grading::Owners(target, solutionFolder);
     } catch (const grading::NoTape&) {
       // Then nothing can be repaired, and every result says so.
     }

@@ -47,6 +47,11 @@ std::string keyOf(const Target& target, const fs::path& solutionFolder, const Sc
                 scene.scene.dump() + json(scene.times).dump());
 }
 
+/// Is the file there, and was it learnt of what has this key?
+bool isOf(const fs::path& file, const std::string& key) {
+  return fs::exists(file) && readJson(file).at("key") == key;
+}
+
 } // namespace
 
 tape::Tape recordOwn(const Target& target, const Recipe& recipe, const rubric::SceneFolders& scene,
@@ -71,10 +76,8 @@ tape::Tape recordOwn(const Target& target, const Recipe& recipe, const rubric::S
 }
 
 Owners::Owners(const Target& target, const fs::path& solutionFolder) {
-  for (const Part& part : target.parts) {
-    const Target one = findTarget(target.assignment.folder.parent_path(), part.id);
-    addText(textOfPart(one, solutionFolder));
-  }
+  for (const Part& part : target.parts)
+    addText(textOfPart({target.assignment, {part}, part.id}, solutionFolder));
 }
 
 std::string Owners::textOfPart(const Target& part, const fs::path& solutionFolder) {
@@ -83,7 +86,7 @@ std::string Owners::textOfPart(const Target& part, const fs::path& solutionFolde
   const std::string key = keyOf(part, solutionFolder, plan.scenes[0]);
   const fs::path cached = cacheFolder() / "owners" / key;
   for (const fs::path& file : {ownersFile(solutionFolder, part.id), cached})
-    if (fs::exists(file) && readJson(file).at("key") == key) return readFile(file);
+    if (isOf(file, key)) return readFile(file);
   const References references = prepareReferences(
       part, solutionFolder, plan, [](const std::string&, std::size_t, std::size_t) {});
   const tape::Tape reference =
@@ -132,20 +135,17 @@ fs::path ownersFile(const fs::path& solutionFolder, const std::string& part) {
 }
 
 bool areOwnersKept(const Target& part, const fs::path& solutionFolder) {
-  const fs::path file = ownersFile(solutionFolder, part.id);
-  return fs::exists(file) &&
-         readJson(file).at("key") ==
-             keyOf(part, solutionFolder, drawScenes(part, solutionFolder).scenes.at(0));
+  return isOf(ownersFile(solutionFolder, part.id),
+              keyOf(part, solutionFolder, drawScenes(part, solutionFolder).scenes.at(0)));
 }
 
 void keepOwners(const Assignment& assignment, const fs::path& solutionFolder,
                 const Progress& progress) {
-  for (std::size_t i = 0; i < assignment.parts.size(); ++i) {
-    const std::string& id = assignment.parts[i].id;
-    progress("whose work is what in " + id, i, assignment.parts.size());
-    const std::string text =
-        Owners::textOfPart(findTarget(assignment.folder.parent_path(), id), solutionFolder);
-    const fs::path file = ownersFile(solutionFolder, id);
+  std::size_t done = 0;
+  for (const Part& part : assignment.parts) {
+    progress("whose work is what in " + part.id, done++, assignment.parts.size());
+    const std::string text = Owners::textOfPart({assignment, {part}, part.id}, solutionFolder);
+    const fs::path file = ownersFile(solutionFolder, part.id);
     report::makeFolder(file.parent_path());
     report::writeFile(file, text);
   }

@@ -38,7 +38,6 @@ protected:
   }
 };
 
-// Grading learns them else, half a minute for each part.
 // What is kept is read as it stands there, and a whole assignment knows what its parts do.
 TEST(Owners, OfAWholeAssignmentAreThoseOfItsParts) {
   const Target floor = findTarget(GGRADE_SOURCE_DIR "/assignments", "floor");
@@ -57,6 +56,7 @@ TEST(Owners, OfAWholeAssignmentAreThoseOfItsParts) {
   }
 }
 
+// Grading learns it else, half a minute for each part.
 TEST_P(Catalogues, WhoseWorkIsWhatIsKeptOfTheFilesThatAreThere) {
   EXPECT_TRUE(grading::areOwnersKept(target_, solution_))
       << "run ./ggrade derive " << target_.assignment.id << " --no-pictures";
