@@ -12,6 +12,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <regex>
+#include <set>
 
 namespace ggrade::authoring {
 
@@ -128,6 +130,33 @@ void writeAssignment(const HandedOut& handedOut, gg::Language comments, const fs
   }
 }
 
+/// The examples of help texts name a part that the kit has.
+///   choice: what students are handed
+void nameItsParts(const std::vector<HandedOut>& choice, const fs::path& kit) {
+  std::set<std::string> known;
+  for (const HandedOut& handedOut : choice) {
+    known.insert(handedOut.assignment.id);
+    for (const Part& part : handedOut.parts) known.insert(part.id);
+  }
+  const std::string first = choice.front().parts.front().id;
+  static const std::regex example("ggrade (run|check|render|inspect) (mirror|shadow|floor)\\b");
+  std::vector<fs::path> files = {kit / "framework" / "words" / "ja.json"};
+  for (const char* folder : {"cmake/help", "grader/check", "grader/cli"})
+    for (const fs::directory_entry& entry : fs::directory_iterator(kit / folder))
+      files.push_back(entry.path());
+  for (const fs::path& file : files) {
+    const std::string text = readFile(file);
+    std::string named;
+    std::size_t done = 0;
+    for (std::sregex_iterator at(text.begin(), text.end(), example), end; at != end; ++at) {
+      const std::size_t part = std::size_t(at->position(2));
+      named += text.substr(done, part - done) + (known.count(at->str(2)) ? at->str(2) : first);
+      done = part + std::size_t(at->length(2));
+    }
+    if (done) report::writeFile(file, named + text.substr(done));
+  }
+}
+
 } // namespace
 
 void writeKit(const KitOptions& options, const fs::path& kit, const grading::Progress& progress) {
@@ -142,7 +171,9 @@ void writeKit(const KitOptions& options, const fs::path& kit, const grading::Pro
   for (const char* name : {"README.md", "README.ja.md"}) fs::copy_file(texts / name, kit / name);
   copyTree(texts / "vscode", kit / ".vscode");
   if (options.devcontainer) copyTree(texts / "devcontainer", kit / ".devcontainer");
-  for (const HandedOut& handedOut : choose(options))
+  const std::vector<HandedOut> choice = choose(options);
+  nameItsParts(choice, kit);
+  for (const HandedOut& handedOut : choice)
     writeAssignment(handedOut, options.language, kit, progress);
 }
 

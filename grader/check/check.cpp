@@ -401,6 +401,7 @@ private:
                           "while its framebuffer object is bound?")
                     : say("No object is drawn into a texture of colours: is anything "
                           "drawn while its framebuffer object is bound?");
+    if (first.slot && first.scene == 0) nameSamplers(*first.slot, wrong);
     const Image* ours = pictureOf(*drawn_.shown[first.scene], first);
     const Image* expected = pictureOf(expected_.steps[drawn_.step][first.scene], first);
     if (ours) wrong.ours = *ours;
@@ -418,6 +419,30 @@ private:
         change_ = diagnosis::describe(*change, capitalized(wrong.name));
     }
     checked_.firstWrong = std::move(wrong);
+  }
+
+  /// Which uniforms read the public scene's picture in this slot, as a student knows textures by
+  /// them, and which the pass that draws it reads.
+  void nameSamplers(const diagnosis::Slot& slot, Wrong& wrong) const {
+    const diagnosis::PassView* view = drawn_.shown[0]->find(slot);
+    if (!view || view->pass >= drawn_.trace.passes.size()) return;
+    const trace::Trace& trace = drawn_.trace;
+    const std::uint32_t texture = trace.passes[view->pass].images[view->attachment].name;
+    const auto nameOf = [](const trace::SampleRecord& sample) { // of an array's, the array's
+      const std::string name = sample.uniform;
+      return name.substr(0, name.find('['));
+    };
+    std::set<std::string> readers;
+    for (const trace::PassRecord& pass : trace.passesOf(0))
+      for (const trace::StepRecord& step : trace.stepsOf(pass))
+        for (const trace::SampleRecord& sample : trace.samplesOf(step)) {
+          if (trace.indexOf(pass) == view->pass) wrong.samplers.insert(nameOf(sample));
+          if (sample.writer == view->pass && sample.image.name == texture)
+            readers.insert(nameOf(sample));
+        }
+    readers.erase("");
+    wrong.samplers.erase("");
+    if (!readers.empty()) wrong.name = say("{}, read as {}", wrong.name, fmt::join(readers, ", "));
   }
 
   /// What needs no picture to be told goes before what pictures tell: how the run ended, what was

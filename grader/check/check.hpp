@@ -18,6 +18,7 @@ struct Wrong {
   std::string missing;   ///< says that the program has no such picture; empty: it has
   Image ours;            ///< empty: the program makes no such picture
   Image expected;
+  std::set<std::string> samplers; ///< uniforms by which the pass that draws it reads textures
 };
 
 /// One look at a program.

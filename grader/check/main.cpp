@@ -267,8 +267,10 @@ private:
                              if (isatty(STDERR_FILENO) != 0) progress(what, done, total);
                            });
     const auto placesOf = [&](const Row& row) {
-      return check::placesOf(row.todo, target_.assignment.files, stubFolder(expected.folder),
-                             folder_);
+      std::vector<Place> places =
+          check::placesOf(row.todo, target_.assignment.files, stubFolder(expected.folder), folder_);
+      if (looked.checked.firstWrong) putReaderFirst(places, looked.checked.firstWrong->samplers);
+      return places;
     };
     const Row* now = rowToLookAt(looked.checked);
     for (const Row* row : rowsToLookAt(looked.checked))

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,10 @@ std::optional<Problem> problemIn(const std::string& line);
 /// there. `stub` holds the files as they were handed out.
 std::vector<Place> placesOf(const std::string& todo, const std::vector<std::string>& files,
                             const std::filesystem::path& stub, const std::filesystem::path& folder);
+
+/// Puts first the one shader among them whose text names all of these
+/// samplers: who reads these draws with it.
+void putReaderFirst(std::vector<Place>& places, const std::set<std::string>& samplers);
 
 /// The one of `todos` in whose place lies what a message names at its end, such as
 /// "glClear(GL_DEPTH_BUFFER_BIT) (floor.cpp:12)": the last that begins there or before. Empty: it

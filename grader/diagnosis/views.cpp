@@ -213,6 +213,8 @@ SceneViews views(const std::vector<Image>& frames, const trace::Trace& trace, bo
       const trace::CopyRecord* copy = trace.copyOf(trace.indexOf(passes[i]), a);
       if (!copy) continue;
       PassView view;
+      view.pass = trace.indexOf(passes[i]);
+      view.attachment = a;
       view.slot.depth = a == trace::kDepth;
       view.slot.mesh = showsMesh(trace, passes[i]);
       view.width = std::int32_t(copy->width);

@@ -38,6 +38,8 @@ struct PassView {
   std::int32_t width = 0, height = 0; ///< as it was drawn, pixels
   /// 3 channels, or 1 of depth. At a fraction of the window's size its mean is always the same.
   Image picture;
+  /// Where it was drawn, in the trace that it was taken from; kNone: not known (any more).
+  std::uint32_t pass = trace::kNone, attachment = 0;
 };
 
 /// One scene. Passes stand in the order in which they were made.

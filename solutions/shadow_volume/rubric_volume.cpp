@@ -17,7 +17,7 @@ namespace {
 constexpr float kWhite = 0.98f;
 /// What faces without anything that connects them are worth, and connected ones of which the volume
 /// has another shape.
-constexpr double kFacesAlone = 0.3, kAnyWalls = 0.65;
+constexpr double kFacesAlone = 0.3, kAnyWalls = 0.5;
 /// A volume of which so much beside the object is wrong has another shape.
 constexpr double kAnotherShape = 0.3;
 

@@ -33,6 +33,11 @@ protected:
 /// All assignments: long_kit_test.cpp.
 TEST_F(Kit, HoldsNoSolutionAndKnowsEveryStep) {
   expectKit(kit(), released_, {ggrade::Assignment::load(kSource / "assignments/ssao")});
+  // Its examples name what it has.
+  EXPECT_THAT(read(kit() / "cmake/help/ggrade.ja.txt"),
+              AllOf(HasSubstr("ggrade check ssao --watch"), Not(HasSubstr("mirror"))));
+  EXPECT_THAT(read(kit() / "grader/check/main.cpp"),
+              AllOf(HasSubstr("ggrade check ssao --hint"), Not(HasSubstr("ggrade check mirror"))));
 }
 
 /// As a student's machine does it, but for what the same compiler has made of the same sources.

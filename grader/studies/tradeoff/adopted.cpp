@@ -16,8 +16,9 @@ namespace {
 /// line fits worse than this.
 const std::string kHidden = "–";
 constexpr double kWorstFit = 0.4;
-/// Less than this power is no growth: two runs of one measurement differ by as much.
-constexpr double kNoGrowth = 0.1;
+/// How much less than this a power is, nobody can tell: two runs of one measurement differ by as
+/// much.
+constexpr double kLeastPower = 0.1;
 
 std::string costText(double ms) {
   return ms > 0 ? msText(ms) : kHidden;
@@ -96,7 +97,7 @@ std::string sweepText(const json& sweep) {
 std::string powerText(const json& row, bool hidden) {
   if (hidden || !row.contains("exponent")) return kHidden;
   const double exponent = row.at("exponent");
-  return exponent < kNoGrowth ? gg::say("no growth") : fmt::format("{:.2f}", exponent);
+  return exponent < kLeastPower ? fmt::format("< {}", kLeastPower) : fmt::format("{:.2f}", exponent);
 }
 
 /// Of a scene that needs less against one that needs all.
