@@ -133,17 +133,18 @@ std::vector<Place> placesOf(const std::string& todo, const std::vector<std::stri
 }
 
 void putReaderFirst(std::vector<Place>& places, const std::set<std::string>& samplers) {
-  if (samplers.empty()) return;
-  const auto names = [&](const Place& place) {
-    if (grading::isCompiled(place.file)) return false; // it sets what all of them read
-    const std::string text = readFile(place.file);
-    return std::ranges::all_of(samplers, [&](const std::string& sampler) {
+  std::vector<std::ptrdiff_t> named;
+  for (const Place& place : places) {
+    // What is compiled sets what all of them read.
+    const std::string text = grading::isCompiled(place.file) ? std::string() : readFile(place.file);
+    named.push_back(std::ranges::count_if(samplers, [&](const std::string& sampler) {
       return std::regex_search(text, std::regex("\\b" + sampler + "\\b"));
-    });
-  };
-  const auto reader = std::ranges::find_if(places, names);
-  if (std::ranges::count_if(places, names) == 1)
-    std::rotate(places.begin(), reader, std::next(reader));
+    }));
+  }
+  const auto most = std::ranges::max_element(named);
+  if (most == named.end() || *most == 0 || std::ranges::count(named, *most) > 1) return;
+  const auto reader = places.begin() + (most - named.begin());
+  std::rotate(places.begin(), reader, std::next(reader));
 }
 
 namespace {

@@ -39,8 +39,8 @@ std::optional<Problem> problemIn(const std::string& line);
 std::vector<Place> placesOf(const std::string& todo, const std::vector<std::string>& files,
                             const std::filesystem::path& stub, const std::filesystem::path& folder);
 
-/// Puts first the one shader among them whose text names all of these
-/// samplers: who reads these draws with it.
+/// Puts first the one shader among them that names most of the samplers by which a pass reads: it
+/// is the one that draws it. (Some names stand in what it includes.)
 void putReaderFirst(std::vector<Place>& places, const std::set<std::string>& samplers);
 
 /// The one of `todos` in whose place lies what a message names at its end, such as

@@ -144,11 +144,11 @@ bool areLater(const std::vector<results::ProvedCause>& causes, const std::string
   });
 }
 
-/// Of shaders it is known by the line whose work they are.
+/// Of shaders it is known by the line whose work they are; of what only one step does, by that.
 bool isOfItsStep(const Mistake& mistake, const std::vector<results::ProvedCause>& causes) {
   return std::ranges::all_of(causes, [&](const results::ProvedCause& cause) {
-    return !repair::isShader(cause.unit) || cause.todos.empty() ||
-           cause.todos.contains(mistake.step);
+    return cause.todos.empty() || cause.todos.contains(mistake.step) ||
+           (!repair::isShader(cause.unit) && cause.todos.size() > 1);
   });
 }
 

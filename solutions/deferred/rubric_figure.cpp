@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 using namespace deferred_rubric;
@@ -103,6 +104,7 @@ struct Wanted {
   const char* sampler;
   std::string name;
   const Mask& (*region)(const SceneEvidence&) = surfaces; ///< where it is looked at
+  double nothingLeft = kNothingLeft; ///< the share of wrong pixels at which it is worth nothing
 };
 
 /// The composition as a plain sum, of the reference's two pictures; null where it has only one.
@@ -122,11 +124,11 @@ const Texture* plainComposition(const SceneEvidence& scene) {
 /// Those of the pictures that this scene has.
 Verdict pictures(const View& view, const std::vector<Wanted>& all) {
   std::vector<Verdict> verdicts;
-  for (const auto& [sampler, name, region] : all) {
+  for (const auto& [sampler, name, region, nothingLeft] : all) {
     const Texture* right = wanted(view.scene, sampler);
     if (!right) continue;
     const auto any = [](const Texture&) { return true; };
-    Verdict verdict = bestMatch(view, *right, region(view.scene), name, any).verdict;
+    Verdict verdict = bestMatch(view, *right, region(view.scene), name, any, nothingLeft).verdict;
     const Texture* plain =
         sampler == std::string("uComposition") ? plainComposition(view.scene) : nullptr;
     if (plain)
@@ -137,7 +139,9 @@ Verdict pictures(const View& view, const std::vector<Wanted>& all) {
 }
 
 GGRADE_ITEM("figure.albedo", [](const View& view) {
-  return pictures(view, {{"uAlbedo", gg::say("albedo")}});
+  // Without depths it is wrong where objects hide each other, which is little of a picture.
+  constexpr double kHidden = 0.2;
+  return pictures(view, {{"uAlbedo", gg::say("albedo"), surfaces, kHidden}});
 });
 
 GGRADE_ITEM("figure.gbuffer", [](const View& view) {
@@ -147,14 +151,6 @@ GGRADE_ITEM("figure.gbuffer", [](const View& view) {
 GGRADE_PASS("figure.gbuffer", [](const View& view) {
   return outputOfObjects(view, {"uNormals", "uIds", "uAlbedo"});
 });
-
-GGRADE_ITEM("figure.irradiance", [](const View& view) {
-  return pictures(view, {{"uIrradiance", gg::say("irradiance")},
-                         {"uDiffuse", gg::say("diffuse light"), unoccludedSurfaces}});
-});
-
-GGRADE_PASS("figure.irradiance",
-            [](const View& view) { return outputOf(view.trace, {"uDiffuse"}); });
 
 /// Means over squares of 9 x 9 pixels, of the first channel, where `region` is: which points are
 /// tested, and in which pixel, is everyone's own.
@@ -233,22 +229,80 @@ Verdict occlusion(const Image& open, const Openness& right, const std::string& w
                   right.none)};
 }
 
-GGRADE_ITEM("figure.occlusion", [](const View& view) {
+Verdict occlusionInTexture(const View& view) {
   Verdict best{0, gg::say("no pass draws it into a texture that a later pass reads")};
   for (const Texture& found : texturesOf(view.trace, view.scene.reference.at(0))) {
     if (found.drawn.ofObjects || findNonFinite(found.image)) continue;
     const Verdict one = occlusion(found.image, inTexture(view.scene), gg::say("a texture"));
     if (one.quality > best.quality) best = one;
   }
-  const Verdict window = worstFrame(view, [&](std::size_t i) {
+  return best;
+}
+
+Verdict occlusionInWindow(const View& view) {
+  return worstFrame(view, [&](std::size_t i) {
     return occlusion(shownOpen(view.scene, view.frames.at(i), i), inWindow(view.scene, i),
                      gg::say("the window"));
   });
-  return passesOrPicture(best, window);
+}
+
+GGRADE_ITEM("figure.occlusion", [](const View& view) {
+  return passesOrPicture(occlusionInTexture(view), occlusionInWindow(view));
 });
 
 GGRADE_PASS("figure.occlusion",
             [](const View& view) { return outputOf(view.trace, {"uOcclusion"}); });
+
+/// The diffuse light by what there would be without any occlusion.
+Image dimmedBy(const SceneEvidence& scene, const Image& diffuse) {
+  const Image &albedo = wanted(scene, "uAlbedo")->image,
+              &irradiance = wanted(scene, "uIrradiance")->image;
+  Image share(diffuse.width(), diffuse.height(), 1, 1);
+  for (int y = 0; y < share.height(); ++y)
+    for (int x = 0; x < share.width(); ++x) {
+      float light = 0, all = 0;
+      for (int c = 0; c < 3; ++c) {
+        light += diffuse.at(x, y, c);
+        all += albedo.at(x, y, c) * irradiance.at(x, y, c) * std::numbers::inv_pi_v<float>;
+      }
+      if (all > 0) share.at(x, y) = std::clamp(light / all, 0.0f, 1.0f);
+    }
+  return share;
+}
+
+const Openness& inDiffuseLight(const SceneEvidence& scene) {
+  return remembered(&scene, [&] {
+    constexpr float kLeast = 0.02f;
+    const Image& albedo = wanted(scene, "uAlbedo")->image;
+    const Image none(albedo.width(), albedo.height(), albedo.channels());
+    return openness(dimmedBy(scene, wanted(scene, "uDiffuse")->image),
+                    surfaces(scene) & differenceMask(albedo, none, kLeast));
+  });
+}
+
+/// Does the occlusion that a program has found keep light away? Who has found none yet is not
+/// asked.
+Verdict dimmed(const View& view) {
+  const Texture* right = wanted(view.scene, "uDiffuse");
+  if (!right || !wanted(view.scene, "uOcclusion")) return {1, {}};
+  if (occlusionInTexture(view).quality < kNearlyAll) return {1, {}};
+  const auto any = [](const Texture&) { return true; };
+  const Match diffuse = bestMatch(view, *right, unoccludedSurfaces(view.scene), {}, any);
+  Verdict verdict = occlusionInWindow(view);
+  if (diffuse.texture && diffuse.verdict.quality > 0)
+    verdict = better(verdict, occlusion(dimmedBy(view.scene, diffuse.texture->image),
+                                        inDiffuseLight(view.scene), gg::say("the diffuse light")));
+  return verdict;
+}
+
+GGRADE_ITEM("figure.irradiance", [](const View& view) {
+  return together({pictures(view, {{"uIrradiance", gg::say("irradiance")},
+                                   {"uDiffuse", gg::say("diffuse light"), unoccludedSurfaces}}),
+                   dimmed(view)});
+});
+
+GGRADE_PASS("figure.irradiance",
+            [](const View& view) { return outputOf(view.trace, {"uDiffuse"}); });
 
 GGRADE_ITEM("figure.reflection", [](const View& view) {
   return pictures(view, {{"uReflected", gg::say("reflected directions")},

@@ -80,12 +80,12 @@ std::vector<PassOutput> outputOfObjects(const View& view,
   return {};
 }
 
-Match match(const Texture& found, const Texture& right, const Mask& region,
-            const std::string& name) {
+Match match(const Texture& found, const Texture& right, const Mask& region, const std::string& name,
+            double nothingLeft) {
   CompareOptions options;
   options.mask = &region;
   const Comparison comparison = compare(found.image, right.image, options);
-  return {{comparison.compared() ? qualityOf(comparison.wrongShare) : 0,
+  return {{comparison.compared() ? qualityOf(comparison.wrongShare, nothingLeft) : 0,
            gg::say("{}: {:.1f}% of {} pixels differ{}", name, 100 * comparison.wrongShare,
                    comparison.judgedPixels, densestAt(comparison.densest))},
           &found};

@@ -49,21 +49,22 @@ struct Match {
   const Texture* texture = nullptr; ///< null: there is none that comes into question
 };
 /// `accept(texture)` says which ones come into question; `name` stands in the message.
+/// `nothingLeft`: the share of wrong pixels at which it is worth nothing.
 template <class Accept>
 Match bestMatch(const View& view, const Texture& right, const Mask& region, const std::string& name,
-                Accept accept);
+                Accept accept, double nothingLeft = kNothingLeft);
 
 /// The same of one texture.
-Match match(const Texture& found, const Texture& right, const Mask& region,
-            const std::string& name);
+Match match(const Texture& found, const Texture& right, const Mask& region, const std::string& name,
+            double nothingLeft = kNothingLeft);
 
 template <class Accept>
 Match bestMatch(const View& view, const Texture& right, const Mask& region, const std::string& name,
-                Accept accept) {
+                Accept accept, double nothingLeft) {
   Match best{{0, name + ": no pass draws it into a texture that a later pass reads"}};
   for (const Texture& found : texturesOf(view.trace, view.scene.reference.at(0))) {
     if (!accept(found)) continue;
-    const Match one = match(found, right, region, name);
+    const Match one = match(found, right, region, name, nothingLeft);
     if (!best.texture || one.verdict.quality > best.verdict.quality) best = one;
   }
   return best;

@@ -76,6 +76,26 @@ TEST_F(Places, OfACommentThatIsGoneAreWhereItsLinesBegin) {
   EXPECT_THAT(of("m.1"), IsEmpty());
 }
 
+TEST_F(Places, TheShaderThatReadsTheseSamplersGoesFirst) {
+  const std::vector<std::pair<const char*, const char*>> texts = {
+      {"m.cpp", "set(\"uOne\", 0); set(\"uTwo\", 1);"},
+      {"m.frag", "texture(uOne, at)"},
+      {"n.frag", "texture(uOne, at) + texture(uTwo, at)"}};
+  for (const auto& [name, text] : texts) write("now", name, text);
+  const auto order = [&](const std::set<std::string>& samplers) {
+    std::vector<Place> places;
+    for (const auto& [name, text] : texts) places.push_back({(now() / name).string(), 1});
+    putReaderFirst(places, samplers);
+    std::string all;
+    for (const Place& place : places) all += fs::path(place.file).filename().string() + ' ';
+    return all;
+  };
+  EXPECT_EQ(order({"uOne", "uTwo", "uIncluded"}), "n.frag m.cpp m.frag ");
+  EXPECT_EQ(order({"uOne"}), "m.cpp m.frag n.frag ") << "two of them read it";
+  EXPECT_EQ(order({"uTw"}), "m.cpp m.frag n.frag ") << "it is part of another name";
+  EXPECT_EQ(order({}), "m.cpp m.frag n.frag ");
+}
+
 TEST_F(Places, AMessageNamesTheTodoInWhoseLinesItIs) {
   const auto at = [&](const std::string& message) {
     return todoAt(message, {"m.1", "m.2"}, folder_.path() / "stub", now());
