@@ -270,29 +270,47 @@ Image dimmedBy(const SceneEvidence& scene, const Image& diffuse) {
   return share;
 }
 
-const Openness& inDiffuseLight(const SceneEvidence& scene) {
+/// Where it can be told whether diffuse light lacks anything.
+const Mask& dimmable(const SceneEvidence& scene) {
   return remembered(&scene, [&] {
     constexpr float kLeast = 0.02f;
     const Image& albedo = wanted(scene, "uAlbedo")->image;
     const Image none(albedo.width(), albedo.height(), albedo.channels());
-    return openness(dimmedBy(scene, wanted(scene, "uDiffuse")->image),
-                    surfaces(scene) & differenceMask(albedo, none, kLeast));
+    return surfaces(scene) & differenceMask(albedo, none, kLeast);
   });
 }
 
-/// Does the occlusion that a program has found keep light away? Who has found none yet is not
-/// asked.
+/// How much of its light the picture of `open` lacks, on the mean, where that can be told.
+double lacking(const Image& open, const Mask& region) {
+  double sum = 0;
+  for (int y = 0; y < open.height(); ++y)
+    for (int x = 0; x < open.width(); ++x)
+      if (region.at(x, y)) sum += 1 - double(open.at(x, y));
+  return sum / double(std::max<std::size_t>(region.count(), 1));
+}
+
+/// Does the occlusion that a program has found keep light away, as it does in the reference or more
+/// (of the sun's, too)? Who has found none yet is not asked.
 Verdict dimmed(const View& view) {
+  constexpr double kHardlyAny = 0.1, kEnough = 0.5; // shares of what the reference lacks
   const Texture* right = wanted(view.scene, "uDiffuse");
   if (!right || !wanted(view.scene, "uOcclusion")) return {1, {}};
   if (occlusionInTexture(view).quality < kNearlyAll) return {1, {}};
+  const auto verdict = [&](const Image& own, const Image& reference, const Mask& region) {
+    const double share = lacking(own, region) / lacking(reference, region);
+    return Verdict{std::clamp((share - kHardlyAny) / (kEnough - kHardlyAny), 0.0, 1.0),
+                   gg::say("occlusion keeps away {:.0f}% of what it keeps away in the reference",
+                           100 * share)};
+  };
   const auto any = [](const Texture&) { return true; };
   const Match diffuse = bestMatch(view, *right, unoccludedSurfaces(view.scene), {}, any);
-  Verdict verdict = occlusionInWindow(view);
+  Verdict best =
+      verdict(shownOpen(view.scene, view.frames.at(0), 0),
+              shownOpen(view.scene, view.scene.reference.at(0), 0), inWindow(view.scene, 0).region);
   if (diffuse.texture && diffuse.verdict.quality > 0)
-    verdict = better(verdict, occlusion(dimmedBy(view.scene, diffuse.texture->image),
-                                        inDiffuseLight(view.scene), gg::say("the diffuse light")));
-  return verdict;
+    best = better(best, verdict(dimmedBy(view.scene, diffuse.texture->image),
+                                dimmedBy(view.scene, right->image), dimmable(view.scene)));
+  return best;
 }
 
 GGRADE_ITEM("figure.irradiance", [](const View& view) {
