@@ -251,7 +251,8 @@ private:
     if (!isExplained)
       checked_.cause =
           say("each effect is right alone, or nearly; where all are drawn, does one leave a "
-              "state, a texture unit or a framebuffer that the next one doesn't expect?");
+              "state, a texture unit or a framebuffer that the next one doesn't expect, or a "
+              "texture of another format than the one asked for?");
   }
 
   bool isNearlyTogether() const {

@@ -127,8 +127,11 @@ std::string noteOf(const Checked& checked, const Row& row) {
   if (row.state == State::done && !isSeen(checked, row))
     return say("as far as can be told: no picture shows it by itself");
   if (row.state == State::done && !row.showsWith.empty())
-    return say("as far as can be told: some mistakes in it show later, the last with {}",
+    return say("as far as can be told: known mistakes in it show later, the last of them with {}",
                row.showsWith);
+  if (row.state == State::done &&
+      std::ranges::find(checked.rows, State::nearly, &Row::state) != checked.rows.end())
+    return say("as far as can be told: the little that differs may lie here, too");
   std::string notes;
   const auto add = [&](const std::string& note) {
     notes = notes.empty() ? note : say("{}; {}", notes, note);

@@ -78,9 +78,9 @@ const Verdict& better(const Verdict& a, const Verdict& b) {
 Verdict window(const View& view) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
     const Mask& where = unoccluded(view.scene, i);
-    if (tooSmall(where)) return {1, "nothing to see in this frame"};
-    return better(within(view, i, where, "window"),
-                  within(view.frames.at(i), plainSum(view.scene, i), where, "window"));
+    if (tooSmall(where)) return {1, gg::say("nothing to see in this frame")};
+    return better(within(view, i, where, gg::say("window")),
+                  within(view.frames.at(i), plainSum(view.scene, i), where, gg::say("window")));
   });
 }
 

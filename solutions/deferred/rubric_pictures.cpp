@@ -80,6 +80,10 @@ std::vector<PassOutput> outputOfObjects(const View& view,
   return {};
 }
 
+Verdict nowhere(const std::string& name) {
+  return {0, gg::say("{}: no pass draws it into a texture that a later pass reads", name)};
+}
+
 Match match(const Texture& found, const Texture& right, const Mask& region, const std::string& name,
             double nothingLeft) {
   CompareOptions options;

@@ -3,6 +3,7 @@
 
 #include "rubric/measures.hpp"
 #include "rubric/passes.hpp"
+#include "words/words.hpp"
 
 #include <map>
 #include <string>
@@ -43,6 +44,9 @@ std::vector<PassOutput> outputOf(const trace::Trace& trace,
 /// draws objects into textures.
 std::vector<PassOutput> outputOfObjects(const View& view, const std::vector<std::string>& samplers);
 
+/// What a picture is worth that no texture has.
+Verdict nowhere(const std::string& name);
+
 /// How right the submission's best texture is, where `region` says.
 struct Match {
   Verdict verdict;
@@ -61,7 +65,7 @@ Match match(const Texture& found, const Texture& right, const Mask& region, cons
 template <class Accept>
 Match bestMatch(const View& view, const Texture& right, const Mask& region, const std::string& name,
                 Accept accept, double nothingLeft) {
-  Match best{{0, name + ": no pass draws it into a texture that a later pass reads"}};
+  Match best{nowhere(name)};
   for (const Texture& found : texturesOf(view.trace, view.scene.reference.at(0))) {
     if (!accept(found)) continue;
     const Match one = match(found, right, region, name, nothingLeft);
@@ -78,8 +82,8 @@ Verdict together(const std::vector<Verdict>& pictures);
 template <class Region> Verdict picture(const View& view, Region region) {
   return worstFrame(view, [&](std::size_t i) -> Verdict {
     const Mask where = region(i);
-    if (tooSmall(where)) return {1, "nothing to see in this frame"};
-    return within(view, i, where, "window");
+    if (tooSmall(where)) return {1, gg::say("nothing to see in this frame")};
+    return within(view, i, where, gg::say("window"));
   });
 }
 

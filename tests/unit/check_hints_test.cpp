@@ -141,7 +141,7 @@ TEST(CheckHints, HowFarAndWhatForWhileNothingIsWrong) {
   EXPECT_THAT(
       seen.at(Level::where),
       AllOf(
-          HasSubstr("(as far as can be told: some mistakes in it show later, the last with m.3)\n"),
+          HasSubstr("(as far as can be told: known mistakes in it show later, the last of them with m.3)\n"),
           HasSubstr("What it is for: Near hides far (as far as can be told so far)\n")));
   seen.looked.checked.rows[1].state = State::done;
   EXPECT_THAT(seen.at(Level::where), AllOf(HasSubstr("[####--] 2 of 3"),
