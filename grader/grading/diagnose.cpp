@@ -144,11 +144,12 @@ bool areLater(const std::vector<results::ProvedCause>& causes, const std::string
   });
 }
 
-/// Of shaders it is known by the line whose work they are; of what only one step does, by that.
+/// Of shaders it is known by the line whose work they are. (A state that two steps set is known as
+/// the later one's.)
 bool isOfItsStep(const Mistake& mistake, const std::vector<results::ProvedCause>& causes) {
   return std::ranges::all_of(causes, [&](const results::ProvedCause& cause) {
-    return cause.todos.empty() || cause.todos.contains(mistake.step) ||
-           (!repair::isShader(cause.unit) && cause.todos.size() > 1);
+    return !repair::isShader(cause.unit) || cause.todos.empty() ||
+           cause.todos.contains(mistake.step);
   });
 }
 
