@@ -39,8 +39,13 @@ std::string hashOfFiles(std::vector<fs::path> files) {
 /// The files in a folder and, if so wanted, in folders in it.
 template <class Iterator> std::vector<fs::path> filesIn(const fs::path& folder) {
   std::vector<fs::path> files;
-  for (const fs::directory_entry& entry : Iterator(folder))
-    if (entry.is_regular_file()) files.push_back(entry.path());
+  try {
+    for (const fs::directory_entry& entry : Iterator(folder))
+      if (entry.is_regular_file()) files.push_back(entry.path());
+  } catch (const fs::filesystem_error& error) { // while it goes on, it doesn't name the folder
+    throw UsageError(
+        fmt::format("can't read the folder {}: {}", folder.string(), error.code().message()));
+  }
   return files;
 }
 
