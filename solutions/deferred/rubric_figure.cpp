@@ -239,15 +239,12 @@ Verdict occlusionInTexture(const View& view) {
   return best;
 }
 
-Verdict occlusionInWindow(const View& view) {
-  return worstFrame(view, [&](std::size_t i) {
+GGRADE_ITEM("figure.occlusion", [](const View& view) {
+  const Verdict window = worstFrame(view, [&](std::size_t i) {
     return occlusion(shownOpen(view.scene, view.frames.at(i), i), inWindow(view.scene, i),
                      gg::say("the window"));
   });
-}
-
-GGRADE_ITEM("figure.occlusion", [](const View& view) {
-  return passesOrPicture(occlusionInTexture(view), occlusionInWindow(view));
+  return passesOrPicture(occlusionInTexture(view), window);
 });
 
 GGRADE_PASS("figure.occlusion",
@@ -289,28 +286,32 @@ double lacking(const Image& open, const Mask& region) {
   return sum / double(std::max<std::size_t>(region.count(), 1));
 }
 
+/// How much light one picture of `open` lacks of what the reference's lacks.
+Verdict keepsAway(const Image& own, const Image& reference, const Mask& region) {
+  constexpr double kHardlyAny = 0.1, kEnough = 0.5;
+  const double wanted = lacking(reference, region);
+  const double share = wanted > 0 ? std::max(lacking(own, region) / wanted, 0.0) : 1;
+  return {
+      std::clamp((share - kHardlyAny) / (kEnough - kHardlyAny), 0.0, 1.0),
+      gg::say("occlusion keeps away {:.0f}% of what it keeps away in the reference", 100 * share)};
+}
+
 /// Does the occlusion that a program has found keep light away, as it does in the reference or more
 /// (of the sun's, too)? Who has found none yet is not asked.
 Verdict dimmed(const View& view) {
-  constexpr double kHardlyAny = 0.1, kEnough = 0.5; // shares of what the reference lacks
-  const Texture* right = wanted(view.scene, "uDiffuse");
-  if (!right || !wanted(view.scene, "uOcclusion")) return {1, {}};
-  if (occlusionInTexture(view).quality < kNearlyAll) return {1, {}};
-  const auto verdict = [&](const Image& own, const Image& reference, const Mask& region) {
-    const double share = lacking(own, region) / lacking(reference, region);
-    return Verdict{std::clamp((share - kHardlyAny) / (kEnough - kHardlyAny), 0.0, 1.0),
-                   gg::say("occlusion keeps away {:.0f}% of what it keeps away in the reference",
-                           100 * share)};
-  };
+  const Verdict right{1, {}};
+  const Texture* light = wanted(view.scene, "uDiffuse");
+  if (!light || !wanted(view.scene, "uOcclusion")) return right;
+  Verdict best = keepsAway(shownOpen(view.scene, view.frames.at(0), 0),
+                           shownOpen(view.scene, view.scene.reference.at(0), 0),
+                           inWindow(view.scene, 0).region);
+  if (best.quality >= 1) return right;
   const auto any = [](const Texture&) { return true; };
-  const Match diffuse = bestMatch(view, *right, unoccludedSurfaces(view.scene), {}, any);
-  Verdict best =
-      verdict(shownOpen(view.scene, view.frames.at(0), 0),
-              shownOpen(view.scene, view.scene.reference.at(0), 0), inWindow(view.scene, 0).region);
-  if (diffuse.texture && diffuse.verdict.quality > 0)
-    best = better(best, verdict(dimmedBy(view.scene, diffuse.texture->image),
-                                dimmedBy(view.scene, right->image), dimmable(view.scene)));
-  return best;
+  const Match own = bestMatch(view, *light, unoccludedSurfaces(view.scene), {}, any);
+  if (own.texture && own.verdict.quality > 0 && !findNonFinite(own.texture->image))
+    best = better(best, keepsAway(dimmedBy(view.scene, own.texture->image),
+                                  dimmedBy(view.scene, light->image), dimmable(view.scene)));
+  return occlusionInTexture(view).quality < kNearlyAll ? right : best;
 }
 
 GGRADE_ITEM("figure.irradiance", [](const View& view) {

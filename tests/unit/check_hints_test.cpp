@@ -138,11 +138,10 @@ TEST(CheckHints, HowFarAndWhatForWhileNothingIsWrong) {
                     HasSubstr("\nm.cpp:12:4: note: m.2 is next: light it\n"),
                     HasSubstr("\nNext: assignments/m/README.md, step 2: light it\n")));
   seen.looked.checked.rows[0].showsWith = "m.3";
-  EXPECT_THAT(
-      seen.at(Level::where),
-      AllOf(
-          HasSubstr("(as far as can be told: known mistakes in it show later, the last of them with m.3)\n"),
-          HasSubstr("What it is for: Near hides far (as far as can be told so far)\n")));
+  EXPECT_THAT(seen.at(Level::where),
+              AllOf(HasSubstr("(as far as can be told: known mistakes in it show later, the last "
+                              "of them with m.3)\n"),
+                    HasSubstr("What it is for: Near hides far (as far as can be told so far)\n")));
   seen.looked.checked.rows[1].state = State::done;
   EXPECT_THAT(seen.at(Level::where), AllOf(HasSubstr("[####--] 2 of 3"),
                                            HasSubstr("\nm.2 is done. What it is for: light it\n")))

@@ -97,7 +97,8 @@ std::string sweepText(const json& sweep) {
 std::string powerText(const json& row, bool hidden) {
   if (hidden || !row.contains("exponent")) return kHidden;
   const double exponent = row.at("exponent");
-  return exponent < kLeastPower ? fmt::format("< {}", kLeastPower) : fmt::format("{:.2f}", exponent);
+  return exponent < kLeastPower ? fmt::format("< {}", kLeastPower)
+                                : fmt::format("{:.2f}", exponent);
 }
 
 /// Of a scene that needs less against one that needs all.
