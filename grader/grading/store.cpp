@@ -2,6 +2,7 @@
 
 #include "grading/drawing.hpp"
 #include "grading/toolchain.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 #define XXH_INLINE_ALL
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <system_error>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -43,8 +45,7 @@ template <class Iterator> std::vector<fs::path> filesIn(const fs::path& folder) 
     for (const fs::directory_entry& entry : Iterator(folder))
       if (entry.is_regular_file()) files.push_back(entry.path());
   } catch (const fs::filesystem_error& error) { // while it goes on, it doesn't name the folder
-    throw UsageError(
-        fmt::format("can't read the folder {}: {}", folder.string(), error.code().message()));
+    throw std::system_error(error.code(), gg::say("can't read {}", folder.string()));
   }
   return files;
 }
