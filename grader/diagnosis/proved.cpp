@@ -74,10 +74,11 @@ std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
         return cause.passes == passes;
       });
   const auto named = [&](const results::ProvedCause& cause) {
-    if (together || cause.passes.empty()) return nameOf(cause);
-    return cause.passes.size() == 1
-               ? say("{} in pass {}", nameOf(cause), *cause.passes.begin() + 1)
-               : say("{} in the passes {}", nameOf(cause), numbersOf(cause.passes));
+    const std::string name =
+        cause.own.empty() ? nameOf(cause) : say("{} (yours: {})", nameOf(cause), cause.own);
+    if (together || cause.passes.empty()) return name;
+    return cause.passes.size() == 1 ? say("{} in pass {}", name, *cause.passes.begin() + 1)
+                                    : say("{} in the passes {}", name, numbersOf(cause.passes));
   };
   std::string list = named(causes[0]);
   for (std::size_t i = 1; i < causes.size(); ++i)

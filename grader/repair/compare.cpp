@@ -2,6 +2,7 @@
 
 #include "repair/align.hpp"
 #include "repair/glsl.hpp"
+#include "repair/own_value.hpp"
 #include "repair/programs.hpp"
 
 #include <fmt/format.h>
@@ -102,6 +103,9 @@ public:
                             std::ranges::any_of(putIn_[unit], [&](const json& shaders) {
                               return !drawn_.contains({unit.role, shaders});
                             });
+      auto& own = own_[unit];
+      own.erase("");
+      if (own.size() == 1) difference.own = *own.begin(); // several: of each pass another
       if (!difference.patch.empty()) result_.differences.push_back(std::move(difference));
     }
     std::ranges::stable_sort(result_.differences, {}, [this](const Difference& one) {
@@ -195,6 +199,7 @@ private:
     difference.shaders.insert(shaders_);
     if (first_) difference.passes.insert(*first_);
     difference.patch.push_back({{"op", at ? "replace" : "add"}, {"path", path}, {"value", value}});
+    if (at) own_[difference.unit].insert(ownValue(unit, where.back(), *at));
   }
 
   void compareState(std::size_t i, const json& theirs) {
@@ -474,6 +479,7 @@ private:
   std::string shaders_;              ///< of the draw that is being compared
   bool isPutIn_ = false;             ///< which the submission hasn't got
   std::map<Unit, Difference> found_;
+  std::map<Unit, std::set<std::string>> own_;    ///< what the submission has, in words
   std::set<json> given_;                         ///< uniforms and blocks of the reference's draws
   std::set<std::pair<std::string, json>> drawn_; ///< roles, and the shaders that both draw with
   std::set<std::string> drawsOther_;         ///< roles in which the submission has draws of its own

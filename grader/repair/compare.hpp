@@ -32,6 +32,7 @@ struct Difference {
   /// Of a matrix or block: is it what the reference has elsewhere? Then it is passed to the wrong
   /// place, and not made wrong.
   bool isAnothers = false;
+  std::string own{};               ///< what the submission has there, see own_value.hpp
   std::set<std::string> shaders{}; ///< of the reference's draws that it is of, see shadersOf
 };
 

@@ -113,8 +113,10 @@ Json extraData(const results::Result& result) {
                                  {"scene", sanitizeLine(diagnosis.scene)},
                                  {"place", sanitizeLine(diagnosis.place)}});
   for (const results::ProvedCause& cause : result.causes)
-    data["proved_causes"].push_back(
-        {{"passes", cause.passes}, {"unit", sanitizeLine(cause.unit)}, {"todos", cause.todos}});
+    data["proved_causes"].push_back({{"passes", cause.passes},
+                                     {"unit", sanitizeLine(cause.unit)},
+                                     {"todos", cause.todos},
+                                     {"own", cause.own}});
   if (!result.causesSought.empty()) data["causes_sought"] = sanitizeLine(result.causesSought, 400);
   for (const results::Item& item : result.items) {
     Json credits = Json::object();

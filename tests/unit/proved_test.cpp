@@ -49,4 +49,12 @@ TEST(Proved, PassesOfOneRoleAreNamedTogether) {
             "all is right: the blending.");
 }
 
+TEST(Proved, SaysWhatTheSubmissionHas) {
+  results::ProvedCause cause{{0}, "", "viewport", {"mirror.2"}};
+  cause.own = "0, 0, 640, 480";
+  EXPECT_EQ(sentenceOf({cause}),
+            "Proved by drawing it again: with nothing changed but this in pass 1, all is right: "
+            "the viewport (yours: 0, 0, 640, 480).");
+}
+
 } // namespace

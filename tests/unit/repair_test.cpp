@@ -3,9 +3,12 @@
 #include "repair/align.hpp"
 #include "repair/compare.hpp"
 #include "repair/glsl.hpp"
+#include "repair/own_value.hpp"
 
 #include "../fuzz/sample_tape.hpp"
 
+#include <GL/gl.h>
+#include <GL/glext.h>
 #include <gmock/gmock.h>
 
 using namespace ggrade;
@@ -53,6 +56,8 @@ TEST(Repair, NamesPassAndUnitAndPatchesThem) {
   submission.commands[5]["uniforms"]["uLight"]["values"] = {0.5};
   const Comparison comparison = compare(submission, reference());
   EXPECT_THAT(names(comparison), ElementsAre("0 viewport", "1 uniform uLight"));
+  EXPECT_EQ(comparison.differences[0].own, "0, 0, 16, 16");
+  EXPECT_EQ(comparison.differences[1].own, "0.5");
   json patched = comparison.tape.commands;
   for (const Difference& one : comparison.differences) patched = patched.patch(one.patch);
   // The reference's image stands before what the submission draws.
@@ -291,6 +296,33 @@ TEST(Repair, AProgramForSomethingElseIsNamedAsSuch) {
   tape::Tape submission = right;
   submission.commands[3]["program"]["stages"][0]["blob"] = 3;
   EXPECT_THAT(names(compare(submission, right)), ElementsAre("0 program"));
+}
+
+TEST(Repair, WhatTheSubmissionHasIsSaidInAFewWordsOrNotAtAll) {
+  EXPECT_EQ(ownValue("uniform uLight", "uLight", {{"values", {0.25, 1, 2}}}), "0.25, 1, 2");
+  EXPECT_EQ(ownValue("uniform uView", "uView", {{"values", std::vector<double>(16, 1)}}), "");
+  EXPECT_EQ(ownValue("uniform uLight", "uLight", {{"values", {nullptr}}}), "") << "not finite";
+  EXPECT_EQ(ownValue("sampler uShadow", "wrapS", GL_REPEAT), "GL_REPEAT");
+  EXPECT_EQ(ownValue("culling", "cull", false), "glDisable(GL_CULL_FACE)");
+  EXPECT_EQ(ownValue("culling", "cullFace", GL_BACK), "GL_BACK");
+  EXPECT_EQ(ownValue("depth", "depthMask", true), "glDepthMask(GL_TRUE)");
+  EXPECT_EQ(ownValue("blend", "blend", json::array({false})), "");
+  const json level = {{"width", 64}, {"height", 32}, {"format", GL_RGBA8}};
+  EXPECT_EQ(ownValue("storage", "3", {{"levels", {level}}}), "64x32, GL_RGBA8");
+  EXPECT_EQ(ownValue("storage", "3", level), "64x32, GL_RGBA8");
+  EXPECT_EQ(ownValue("storage", "3", {{"levels", json::array()}}), "");
+}
+
+TEST(Repair, PassesThatHaveOtherValuesEachSayNone) {
+  tape::Tape right = reference();
+  right.commands.insert(right.commands.begin() + 4,
+                        {image(1, 32856), clear(texture(1), 8), draw(texture(1), 8, 1)});
+  tape::Tape submission = right;
+  for (const int side : {3, 6})
+    submission.commands[std::size_t(side)]["state"]["viewport"] = {0, 0, side, side};
+  const Comparison comparison = compare(submission, right);
+  ASSERT_THAT(names(comparison), ElementsAre("0 viewport"));
+  EXPECT_EQ(comparison.differences[0].own, "");
 }
 
 TEST(Repair, WhatIsNoTapeIsAnError) {

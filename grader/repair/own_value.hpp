@@ -1,0 +1,19 @@
+#pragma once
+/// \file
+/// What a submission has itself where it differs: a number or a constant that its author wrote, in
+/// OpenGL's own words.
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+namespace ggrade::repair {
+
+/// "0, 0, 640, 480", "GL_REPEAT", "640x480, GL_RGBA8", "glDisable(GL_CULL_FACE)". Empty: not to be
+/// said in a few words.
+/// \param unit see Unit::name
+/// \param key what the tape calls the value: the last word of its path
+/// Throws nlohmann::json::exception for a value that isn't made as a tape's.
+std::string ownValue(const std::string& unit, const std::string& key, const nlohmann::json& value);
+
+} // namespace ggrade::repair
