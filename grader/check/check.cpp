@@ -47,6 +47,7 @@ public:
   Checked run() {
     checked_.happened = drawn_.happened;
     checked_.messages = drawn_.messages;
+    dropPointless(checked_.messages, expected_, drawn_.step);
     checked_.rows = notJudged();
     checked_.drawn = drawn_.isJudged();
     if (drawn_.isBuilt) observed_ = observed();
@@ -160,6 +161,16 @@ private:
     return true;
   }
 
+  /// The TODOs that change the pass that is wrong first.
+  std::set<std::string> drawing(const diagnosis::FirstWrong& first) const {
+    std::set<std::string> todos;
+    for (std::size_t k = 1; first.slot && k <= drawn_.step; ++k)
+      if (!diagnosis::alike(pictureOf(expected_.steps[k][first.scene], first),
+                            pictureOf(expected_.steps[k - 1][first.scene], first)))
+        todos.insert(expected_.todos[k - 1]);
+    return todos;
+  }
+
   KnownMistakes known() const { return {expected_, drawn_.shown, drawn_.begun, drawn_.step}; }
 
   Suspect suspectInHandedOut(const diagnosis::FirstWrong& first) {
@@ -181,6 +192,7 @@ private:
     suspect.isSure = !checked_.cause.empty() || observed_.isSure;
     suspect.isGuess = checked_.cause.empty();
     if (suspect.isGuess) suspect.spoiling = known().spoiling(first.slot);
+    suspect.drawing = drawing(first);
     if ((checked_.cause.empty() || observed_.isSure) && drawn_.begun.count(observed_.todo)) {
       suspect.todo = observed_.todo;
       suspect.isGuess = !observed_.isSure;

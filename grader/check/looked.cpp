@@ -137,16 +137,16 @@ std::string noteOf(const Checked& checked, const Row& row) {
     notes = notes.empty() ? note : say("{}; {}", notes, note);
   };
   if (row.state == State::nearly)
-    add(say("little of the windows differs: something that covers little of them is wrong, here or "
-            "in another step, or it is another right way"));
+    add(say("little differs in the windows, as small as check compares them: something is wrong, "
+            "here or in another step, or it is another right way"));
   if (row.state == State::differs)
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));
   if (row.state == State::maybe)
     add(!row.seen ? say("no picture shows it by itself, and that of what stands on it is wrong")
         : std::ranges::count(checked.rows, State::maybe, &Row::state) > 1
-            ? say("here, or in another step that may be")
-            : say("here, or in another step"));
+            ? say("here, in another step that may be, or outside of the steps")
+            : say("here, in another step, or outside of the steps"));
   if (row.state == State::wrong || row.state == State::differs) {
     const std::string unseen = checked.cause.empty() ? unseenBefore(checked, row) : std::string();
     if (!unseen.empty())

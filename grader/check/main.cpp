@@ -397,15 +397,15 @@ int run(int argc, char** argv) {
       ->check(CLI::IsMember({"text", "json"}));
   app.add_flag("--json", options.json, say("The same as --format json"));
   app.add_option("--expected", options.expected, say("What to compare with"))->group("");
-  app.footer(say(
-      "The program is built and run on this machine, as you, without a sandbox.\n"
-      "Exit codes: 0 all that was begun is right, 1 something isn't, or may not be, 2 usage.\n\n"
-      "Examples:\n"
-      "  ggrade check mirror\n"
-      "  ggrade check mirror --hint\n"
-      "  ggrade check --watch\n"
-      "  ggrade check --watch --open --edit-cmd \"code -g {{file}}:{{line}}\"\n"
-      "  ggrade check mirror --format json"));
+  app.footer(say("The program is built and run on this machine, as you, without a sandbox.\n"
+                 "Exit codes: 0 all that was begun is right in every picture that was drawn,\n"
+                 "1 something isn't, or may not be, 2 usage.\n\n"
+                 "Examples:\n"
+                 "  ggrade check mirror\n"
+                 "  ggrade check mirror --hint\n"
+                 "  ggrade check --watch\n"
+                 "  ggrade check --watch --open --edit-cmd \"code -g {{file}}:{{line}}\"\n"
+                 "  ggrade check mirror --format json"));
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -58,9 +58,18 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
   std::vector<SamplerFault> faults;
   const auto sampled = diagnosis::sampledTextures(trace);
   for (const auto& [sampler, wanted] : expected.samplers[step]) {
+    const auto found = sampled.find(sampler);
+    if (isTogether(expected) && found != sampled.end() && found->second.byObject &&
+        !wanted.byObject) {
+      faults.push_back(
+          {sampler,
+           say("The sampler {} reads by the rules of a sampler object, not of its texture: "
+               "is one left bound to its unit (glBindSampler(unit, 0))?",
+               sampler)});
+      continue;
+    }
     // What has one before this part begins may have it from another part, which may not be done.
     if (expected.samplers[0].count(sampler)) continue;
-    const auto found = sampled.find(sampler);
     if (found == sampled.end())
       faults.push_back({sampler, say("The sampler {} reads no texture: does its shader use it, is "
                                      "one bound to the texture unit that it is set to, and has "
@@ -87,8 +96,8 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
                            "of {} x {}: which size does its storage get?",
                            sampler, width, height, wanted.width, wanted.height)
                      : say("The sampler {} reads a texture of {} x {} pixels, and should read one "
-                           "of {} x {}: is another one bound to its unit, or is a draw "
-                           "missing, too many, or in another place?",
+                           "of {} x {}: is another one bound to its unit, has this one the "
+                           "wrong size, or is a draw missing, too many, or in another place?",
                            sampler, width, height, wanted.width, wanted.height),
            isStorage});
     } else if (!found->second.isComplete && wanted.byObject && !found->second.byObject)
@@ -161,6 +170,16 @@ std::vector<std::string> clippingPlaces(const fs::path& folder) {
 
 std::string doctorsPrefix() {
   return say("frame doctor: {}", "");
+}
+
+void dropPointless(std::vector<std::string>& messages, const Expected& expected, std::size_t step) {
+  const std::string perhaps = doctorsPrefix() + say("perhaps: {}", "");
+  std::erase_if(messages, [&](const std::string& text) {
+    return text.starts_with(perhaps) &&
+           std::ranges::none_of(expected.samplers[step], [&](const auto& sampler) {
+             return !expected.samplers[0].contains(sampler.first) && hasWord(text, sampler.first);
+           });
+  });
 }
 
 Observed observe(const Expected& expected, std::size_t step, const trace::Trace& trace,

@@ -29,6 +29,10 @@ struct Observed {
 /// Before what the frame doctor says.
 std::string doctorsPrefix();
 
+/// Takes the doctor's guesses about samplers that have nothing to read after `step` TODOs, or
+/// nothing of this part's, out of the program's messages.
+void dropPointless(std::vector<std::string>& messages, const Expected& expected, std::size_t step);
+
 /// Of the public scene.
 ///   step: TODOs that the program should have done;  messages: what it and OpenGL said
 ///   captured: with the lines of calls that failed;  todos: of all parts

@@ -1,5 +1,7 @@
 #include "check/rows.hpp"
 
+#include "diagnosis/generic.hpp"
+
 #include <algorithm>
 #include <map>
 
@@ -156,9 +158,9 @@ public:
   }
 
   /// Is it known of step k's own pictures only that they are right but for their brightness, which
-  /// the window shows?
-  bool isKnownInPart(std::size_t k, std::size_t cell) const {
-    if (cells_[cell].slot) return false;
+  /// may be what is wrong in the window?
+  bool isKnownInPart(std::size_t k, std::size_t cell, std::size_t should) const {
+    if (cells_[cell].slot || !mayBeBrightness(cell, should)) return false;
     for (std::size_t c = 0; c < cells_.size(); ++c)
       if (cells_[c].slot && !cells_[c].slot->mesh && cells_[c].slot->octave > 0 && isChanged(c, k))
         return true;
@@ -170,6 +172,16 @@ public:
   /// Is it a picture of a scene that is there for one TODO?
   bool isOfATodo(std::size_t cell) const {
     return !expected_.scenes[cells_[cell].scene].todo.empty();
+  }
+
+  /// Does anything in the cell's scene change from step k on, up to `should`? If not, the scene
+  /// does without the work of these steps.
+  bool isUsedThere(std::size_t cell, std::size_t k, std::size_t should) const {
+    for (std::size_t c = 0; c < cells_.size(); ++c)
+      if (isOneScene(c, cell))
+        for (std::size_t step = k; step <= should; ++step)
+          if (isChanged(c, step)) return true;
+    return false;
   }
 
   /// Does step k show in the cell's scene, and is all that it changes there as after step `should`?
@@ -225,6 +237,19 @@ private:
       shares.wrong += double(wrong[i]);
     }
     return shares;
+  }
+  /// Adds the last step that changes a window the right light, but for a factor?
+  bool mayBeBrightness(std::size_t cell, std::size_t should) const {
+    std::size_t last = should;
+    while (last > 0 && !isChanged(cell, last)) --last;
+    const Image *is = ofProgram(cells_[cell]), *wanted = ofStep(should, cells_[cell]),
+                *before = last > 0 ? ofStep(last - 1, cells_[cell]) : nullptr;
+    const auto isLike = [&](const Image* image) {
+      return image && image->width() == wanted->width() && image->height() == wanted->height() &&
+             image->channels() == wanted->channels();
+    };
+    return !wanted || !isLike(is) || !isLike(before) ||
+           diagnosis::addsScaledLight(*is, *wanted, *before);
   }
   bool isLastToChange(std::size_t cell, std::size_t k, std::size_t should) const {
     if (!ofStep(k, cells_[cell]) || !isChanged(cell, k)) return false;
@@ -330,6 +355,7 @@ private:
       for (std::size_t k = 1; k < judging_.steps(); ++k) {
         Row& row = all_[k - 1];
         if (row.state != State::waits && row.state != State::done) continue;
+        if (isInAnother() && !judging_.isUsedThere(*wrong_, k, should_)) continue;
         const bool isLast = isLastOfUnfinished(k) && row.state == State::waits;
         const double overlap = isLast ? 1 : wrong_ ? judging_.overlap(*wrong_, k, should_) : 0;
         if (overlap < most) continue;
@@ -352,11 +378,13 @@ private:
       // What the handed-out scenes show tells nothing of another one, nor the public one of those
       // that are there for a TODO.
       if ((judging_.isAnother(*wrong_)
-               ? !judging_.isRightThere(*wrong_, k, should_)
+               ? judging_.isUsedThere(*wrong_, k, should_) &&
+                     !judging_.isRightThere(*wrong_, k, should_)
                : suspect_.spoiling.count(row.todo) ||
                      ((row.state == State::waits || judging_.isOfATodo(*wrong_)) &&
                       judging_.isChanged(*wrong_, k))) ||
-          judging_.changesWhatIsWrong(*wrong_, k, should_) || judging_.isKnownInPart(k, *wrong_))
+          judging_.changesWhatIsWrong(*wrong_, k, should_) ||
+          judging_.isKnownInPart(k, *wrong_, should_))
         todos.insert(row.todo);
     }
     return todos;
@@ -404,7 +432,8 @@ private:
       if (gap_ <= should_) return; // a step that was left out explains it
       culprit.state = State::nearly;
       for (Row& row : all_)
-        if (isBegun(row) && drawing.count(row.todo)) row.state = State::nearly;
+        if (isBegun(row) && (drawing.count(row.todo) || suspect_.drawing.count(row.todo)))
+          row.state = State::nearly;
       return;
     }
     const bool inWindows = std::ranges::find(windows_, should_) == windows_.end();

@@ -59,6 +59,7 @@ struct Suspect {
   bool isLater = false;
   std::set<std::string> also{};     ///< TODOs that are as likely
   std::set<std::string> spoiling{}; ///< those with known mistakes that spoil such a picture first
+  std::set<std::string> drawing{};  ///< those that change the pass that is wrong first
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,

@@ -278,4 +278,32 @@ std::optional<Generic> generic(std::span<const Pair> pairs) {
   return best;
 }
 
+bool addsScaledLight(const Image& student, const Image& reference, const Image& before) {
+  constexpr float kCut = 0.98f;
+  constexpr double kUnexplained = 0.25; // of the difference, what a factor may leave
+  constexpr double kRounding = 1e-5;
+  const auto same = [](float value) { return value; };
+  for (float (*const light)(float) : {+same, &decoded}) {
+    double wanted = 0, both = 0;
+    const auto forEach = [&](const auto& visit) {
+      for (int y = 0; y < reference.height(); ++y)
+        for (int x = 0; x < reference.width(); ++x)
+          for (int c = 0; c < reference.channels(); ++c) {
+            const float is = student.at(x, y, c), should = reference.at(x, y, c);
+            const double dark = double(light(before.at(x, y, c)));
+            if (is < kCut && should < kCut)
+              visit(double(light(is)) - dark, double(light(should)) - dark);
+          }
+    };
+    forEach([&](double is, double should) { wanted += should * should, both += is * should; });
+    if (wanted <= 0) continue;
+    double left = 0, all = 0;
+    forEach([&](double is, double should) {
+      left += std::abs(is - should * both / wanted), all += std::abs(is - should);
+    });
+    if (left <= kUnexplained * all + kRounding * wanted) return true;
+  }
+  return false;
+}
+
 } // namespace ggrade::diagnosis

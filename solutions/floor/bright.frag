@@ -15,7 +15,7 @@ void main() {
   vec3 bright = color;
   // TODO(bloom.4): the part of the scene's light that exceeds the threshold, in the same hue.
   //   Given:  `color`, the weighted mean of 4 x 4 pixels of the scene (a few more where its size is
-  //           odd), NaN and infinity left out; uThreshold; uWeight.
+  //           odd), NaN made 0, infinity 65504; uThreshold; uWeight.
   //   Goal:   its share of the light, as bloom.md says, is kept, times uWeight; the rest, and black,
   //           is 0.
   //   Expect: in level 0, only what glows.                            (bloom.md, step 4)

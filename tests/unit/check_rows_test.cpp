@@ -186,6 +186,17 @@ TEST(CheckRows, WhatIsWrongInAnotherSceneAloneIsTheOnesThatChangesItThere) {
   EXPECT_EQ(letters(rows(all, {right, pass}, first(5), {"m.2"})), "ddddd") << "the window is right";
 }
 
+TEST(CheckRows, WorkThatAnotherSceneDoesWithoutIsNotInDoubtThere) {
+  Expected all = expected();
+  all.scenes.push_back({"another", {}, {1}, "", true});
+  for (diagnosis::Run& step : all.steps) step.push_back(step[0]);
+  all.steps[5][1] = all.steps[4][1]; // where nothing is cut off
+  all.reference = all.steps.back();
+  SceneViews wrong = all.reference[1];
+  wrong.windows[0] = diagnosis::reduced(painted(kShows, 0, 0.6f, 0.35f, 1, 0.9f), 3);
+  EXPECT_EQ(letters(rows(all, {all.reference[0], wrong}, first(5))), "mdmmd");
+}
+
 TEST(CheckRows, SeveralMayBeWrongWhereOnlyAGuessOrALaterFrameTells) {
   const SceneViews black = seen(kEmpty, Image(320, 240, 3, 0.0f));
   Suspect guess{"m.2", true};

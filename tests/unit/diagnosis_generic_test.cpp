@@ -139,4 +139,27 @@ TEST(DiagnosisGeneric, OneScenesFaultMustBeAllScenes) {
   EXPECT_FALSE(generic(both));
 }
 
+/// A bright disc's light, added to the sample: times a factor, or as `how` joins the two.
+Image lit(
+    float factor, float (*how)(float, float) = [](float a, float b) { return a + b; }) {
+  return rearranged(kScene, [&](int x, int y, std::span<float> pixel) {
+    const float u = float(x) / 320 - 0.5f, v = float(y) / 240 - 0.5f;
+    for (float& value : pixel)
+      value = how(value / 3, factor * 0.5f * std::exp(-20 * (u * u + v * v)));
+  });
+}
+
+TEST(DiagnosisGeneric, LightIsScaledOrIsOther) {
+  const Image before = lit(0), right = lit(1);
+  EXPECT_TRUE(addsScaledLight(right, right, before));
+  EXPECT_TRUE(addsScaledLight(lit(0.2f), right, before));
+  EXPECT_TRUE(addsScaledLight(lit(1.4f), right, before));
+  const auto larger = [](float a, float b) { return std::max(a, b); };
+  EXPECT_FALSE(addsScaledLight(lit(1, larger), right, before));
+  // As a display shows them.
+  const auto shown = [](const Image& image) { return curve(image, 1 / 2.2f); };
+  EXPECT_TRUE(addsScaledLight(shown(lit(0.2f)), shown(right), shown(before)));
+  EXPECT_FALSE(addsScaledLight(shown(lit(1, larger)), shown(right), shown(before)));
+}
+
 } // namespace
