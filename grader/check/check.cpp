@@ -161,13 +161,15 @@ private:
     return true;
   }
 
-  /// The TODOs that change the pass that is wrong first.
+  /// The TODOs that change the pass that is wrong first, about as much as it is wrong.
   std::set<std::string> drawing(const diagnosis::FirstWrong& first) const {
     std::set<std::string> todos;
-    for (std::size_t k = 1; first.slot && k <= drawn_.step; ++k)
-      if (!diagnosis::alike(pictureOf(expected_.steps[k][first.scene], first),
-                            pictureOf(expected_.steps[k - 1][first.scene], first)))
+    for (std::size_t k = 1; first.slot && k <= drawn_.step; ++k) {
+      const Image *after = pictureOf(expected_.steps[k][first.scene], first),
+                  *before = pictureOf(expected_.steps[k - 1][first.scene], first);
+      if (after && (!before || diagnosis::differingShare(after, before) > first.share / 2))
         todos.insert(expected_.todos[k - 1]);
+    }
     return todos;
   }
 

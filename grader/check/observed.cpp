@@ -58,18 +58,9 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
   std::vector<SamplerFault> faults;
   const auto sampled = diagnosis::sampledTextures(trace);
   for (const auto& [sampler, wanted] : expected.samplers[step]) {
-    const auto found = sampled.find(sampler);
-    if (isTogether(expected) && found != sampled.end() && found->second.byObject &&
-        !wanted.byObject) {
-      faults.push_back(
-          {sampler,
-           say("The sampler {} reads by the rules of a sampler object, not of its texture: "
-               "is one left bound to its unit (glBindSampler(unit, 0))?",
-               sampler)});
-      continue;
-    }
     // What has one before this part begins may have it from another part, which may not be done.
     if (expected.samplers[0].count(sampler)) continue;
+    const auto found = sampled.find(sampler);
     if (found == sampled.end())
       faults.push_back({sampler, say("The sampler {} reads no texture: does its shader use it, is "
                                      "one bound to the texture unit that it is set to, and has "
