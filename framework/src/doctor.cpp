@@ -376,7 +376,11 @@ void checkViewports(const glm::ivec2& window) {
               ? say("the viewport of {} begins at ({}, {}). {}", nameOf(framebuffer), viewport[0],
                     viewport[1], words("It should begin at (0, 0)"))
               : say("the viewport is {} x {} pixels, but {} is {} x {}. {}", viewport[2],
-                    viewport[3], nameOf(framebuffer), size.x, size.y,
+                    viewport[3],
+                    framebuffer == 0
+                        ? nameOf(framebuffer)
+                        : say("the first attachment of framebuffer object {}", framebuffer),
+                    size.x, size.y,
                     isNothing ? words("Is the size that it is given ever set?")
                               : words("Is glViewport called after binding what is drawn into, and "
                                       "with its size? Or has that a wrong size?"))) +

@@ -86,11 +86,15 @@ private:
     // Of several that show the same, or in a scene that was not handed out, none is likelier.
     // Nor where a pass is drawn that no step has, or where it is only like a known mistake.
     const auto& shown = drawn_.shown[0];
-    const bool isVague = suspect.isGuess && ((shown && !ownPasses(expected_, *shown, 0).empty()) ||
+    const bool isVague = suspect.isGuess && (observed_.isFrustum ||
+                                             (shown && !ownPasses(expected_, *shown, 0).empty()) ||
                                              (!resemblance_.empty() && observed_.todo.empty()));
     if (suspect.also.empty() && !suspect.showsNothing && !isVague) checked_.likely = suspect.todo;
     blameStorage();
-    if (isTogether(expected_)) settleTogether(suspect.isExplained);
+    if (isTogether(expected_)) {
+      checked_.rows.front().seen = true; // windows are compared
+      settleTogether(suspect.isExplained);
+    }
     // A call that fails does nothing, whether that is seen already or not.
     if (checked_.happened.outcome == results::Outcome::glError && allRight(checked_.rows))
       blameLast(observed_.todo);
@@ -149,6 +153,19 @@ private:
       }
     }
     return little;
+  }
+
+  /// Do the windows of the handed-out scenes differ in nothing?
+  bool isExactInHandedOut() const {
+    for (std::size_t i = 0; i < drawn_.shown.size(); ++i)
+      if (drawn_.shown[i] && !expected_.scenes[i].another)
+        for (std::size_t k = 0; k < drawn_.shown[i]->windows.size() &&
+                                k < expected_.steps[drawn_.step][i].windows.size();
+             ++k)
+          if (diagnosis::differingShare(&expected_.steps[drawn_.step][i].windows[k],
+                                        &drawn_.shown[i]->windows[k]) > 0)
+            return false;
+    return true;
   }
 
   /// Are all windows of a finished program right? Then what is observed explains nothing wrong.
@@ -241,9 +258,14 @@ private:
         isWrongLater(first)
             ? say("In another scene the first frame is right, and the one after it isn't: is "
                   "something that a frame changes not put back, not cleared, or made only once?")
-            : say("It is as it should be in the handed-out scenes, or nearly, and differs in "
-                  "another one: is a number typed in that comes from the scene, the window or a "
-                  "texture, or is something missing or too much that hardly shows in the others?");
+        : isExactInHandedOut()
+            ? say("It is as it should be in the handed-out scenes, and differs in another one: is "
+                  "a number typed in that comes from the scene, the window or a texture, or is "
+                  "something missing or too much that only this scene has? Compare the scenes' "
+                  "files.")
+            : say("It is nearly as it should be in the handed-out scenes, and differs more in "
+                  "another one: is something wrong that shows little there, or is a number typed "
+                  "in that comes from the scene, the window or a texture?");
     return suspect;
   }
 
@@ -282,6 +304,9 @@ private:
     if (!observed_.isStorage) return;
     std::vector<Row>& rows = checked_.rows;
     const auto wrong = std::ranges::find(rows, State::wrong, &Row::state);
+    const auto unseen = std::ranges::find_if(
+        rows, [](const Row& row) { return row.state == State::maybe && !row.seen; });
+    if (wrong == rows.end() && unseen != rows.end()) checked_.likely = unseen->todo;
     auto first = wrong;
     while (wrong != rows.end() && first != rows.begin() && !std::prev(first)->seen) --first;
     if (first == wrong) return;

@@ -176,10 +176,13 @@ std::string frustumFault(const Frustum& frustum, const trace::Trace& trace) {
           "what is farther from the light gets a smaller depth: is the near plane's distance "
           "greater than the far one's, or the sign of z another one than a camera's?");
     if (most == spread.near)
-      return say("about {}% of what the light should see lies nearer than its near plane",
+      return say("about {}% of what the light should see lies nearer than its near plane, by "
+                 "the matrices that it is drawn with",
                  percent(most));
     if (most == spread.far)
-      return say("about {}% of what the light should see lies beyond its far plane", percent(most));
+      return say("about {}% of what the light should see lies beyond its far plane, by the "
+                 "matrices that it is drawn with",
+                 percent(most));
     return say("about {}% of what the light should see lies beside its frustum: does that hold all "
                "corners "
                "of the box?",

@@ -378,7 +378,8 @@ int run(int argc, char** argv) {
                    "tells a hint"));
   app.add_flag(
       "--hint", options.hint,
-      say("Tell more of what is wrong: first the likely cause; asked once more, what to look at"));
+      say("Tell more of what is wrong: first the likely cause; asked once more, what to look at, "
+          "where that is known"));
   CLI::Option* open = app.add_flag(
       "--open", options.open,
       say("Open the editor ($VISUAL, else $EDITOR) at the next TODO; with --watch whenever another "

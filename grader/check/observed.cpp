@@ -179,7 +179,8 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
                  const std::vector<std::string>& todos, const fs::path& folder) {
   Observed observed;
   const std::string frustum = frustumFault(expected.frustum, trace);
-  if (!frustum.empty()) observed.faults.push_back(frustum);
+  observed.isFrustum = !frustum.empty();
+  if (observed.isFrustum) observed.faults.push_back(frustum);
   for (std::string& fault : diagnosis::stateFaults(trace))
     observed.faults.push_back(std::move(fault));
   const std::vector<SamplerFault> samplers = samplerFaults(expected, step, trace);

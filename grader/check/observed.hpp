@@ -23,6 +23,8 @@ struct Observed {
   std::string cardTodo;
   /// Do `faults` hold more than what samplers read, of which known mistakes say more?
   bool isState = false;
+  /// Is `todo` whose matrices they are? Others may be drawn with.
+  bool isFrustum = false;
   bool isStorage = false; ///< a texture that is read has another size than in the reference
 };
 

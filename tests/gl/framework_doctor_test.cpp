@@ -225,8 +225,9 @@ TEST_P(Doctor, AViewportThatDoesNotFit) {
         clear();
         draw();
       }),
-      AllOf(StartsWith("frame doctor: the viewport is 32 x 32 pixels, but framebuffer object 301 "
-                       "is 48 x 16. Is glViewport called after binding what is drawn into, and "
+      AllOf(StartsWith("frame doctor: the viewport is 32 x 32 pixels, but the first attachment of "
+                       "framebuffer object 301 is 48 x 16. Is glViewport called after binding what "
+                       "is drawn into, and "
                        "with its size? Or has that a wrong size? (framework_doctor_test.cpp:"),
             ResultOf(lines, 1)));
 }

@@ -407,8 +407,9 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
   const Ended asked = Running(command(submission.path(), {"--hint"})).wait(100);
   EXPECT_THAT(
       asked.out,
-      HasSubstr("Likely cause: It is as it should be in the handed-out scenes, or nearly, and "
-                "differs in another one: is a number typed in"));
+      HasSubstr(
+          "Likely cause: It is as it should be in the handed-out scenes, and differs in another "
+          "one: is a number typed in"));
   EXPECT_EQ(json::parse(read(file)).at("mirror").at("blur"), 0.03);
   // What the scene is there for is where to look, though the whole floor is too bright.
   Submission samples = Submission::solution();
