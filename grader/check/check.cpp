@@ -69,15 +69,30 @@ private:
 
   /// What needs no picture to be told.
   Observed observed() const {
-    std::vector<std::string> todos;
-    for (const Part& part : assignment_.parts)
-      for (const Todo& todo : part.todos) todos.push_back(todo.id);
     return observe(expected_, drawn_.step, drawn_.trace, checked_.messages, drawn_.glMessages,
-                   todos, folder_);
+                   todos(), folder_);
+  }
+
+  /// What the frame doctor finds in a scene.
+  std::vector<std::string> findingsIn(const Scene& scene) const {
+    return doctorsFindings(messagesOf(grading::renderScene(
+        assignment_.id, programIn(work_), scene.scene, scene.times, {work_ / "shaders"},
+        sandbox::Isolation::none, grading::gradingRequest(), {}, true)));
+  }
+
+  /// Of all parts.
+  std::vector<std::string> todos() const {
+    std::vector<std::string> all;
+    for (const Part& part : assignment_.parts)
+      for (const Todo& todo : part.todos) all.push_back(todo.id);
+    return all;
   }
 
   void judge() {
     const std::optional<diagnosis::FirstWrong> first = firstWrong();
+    if (first && first->scene != 0 && observed_.faults.empty() && observed_.guess.empty())
+      observeElsewhere(observed_, expected_, findingsIn(expected_.scenes[first->scene]), todos(),
+                       folder_);
     Suspect suspect;
     if (first)
       suspect = expected_.scenes[first->scene].another ? suspectInAnother(*first)

@@ -23,20 +23,6 @@ void addOnce(std::vector<std::string>& lines, const std::string& line) {
   if (std::ranges::find(lines, line) == lines.end()) lines.push_back(line);
 }
 
-std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
-  std::vector<std::string> lines;
-  const auto add = [&](const std::string& line) {
-    const std::string clean = report::sanitizeLine(line);
-    if (!clean.empty()) addOnce(lines, clean);
-  };
-  std::istringstream output(rendering.happened.output);
-  for (std::string line; std::getline(output, line);) add(line);
-  for (const channel::CapturedMessage& message : rendering.capture.messages)
-    if (message.kind != channel::MessageKind::capture)
-      add(message.text); // that is about drawing offscreen
-  return lines;
-}
-
 /// One program, scene by scene.
 class Drawing {
 public:
@@ -182,6 +168,20 @@ private:
 };
 
 } // namespace
+
+std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
+  std::vector<std::string> lines;
+  const auto add = [&](const std::string& line) {
+    const std::string clean = report::sanitizeLine(line);
+    if (!clean.empty()) addOnce(lines, clean);
+  };
+  std::istringstream output(rendering.happened.output);
+  for (std::string line; std::getline(output, line);) add(line);
+  for (const channel::CapturedMessage& message : rendering.capture.messages)
+    if (message.kind != channel::MessageKind::capture)
+      add(message.text); // that is about drawing offscreen
+  return lines;
+}
 
 fs::path programIn(const fs::path& work) {
   return work / "program";

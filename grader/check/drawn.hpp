@@ -37,6 +37,9 @@ struct Drawn {
   bool isJudged() const { return !shown.empty() && shown[0].has_value(); }
 };
 
+/// What the program and OpenGL said in one scene, a line each.
+std::vector<std::string> messagesOf(const grading::Rendering& rendering);
+
 /// Where `draw` keeps the program.
 std::filesystem::path programIn(const std::filesystem::path& work);
 

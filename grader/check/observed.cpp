@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -124,6 +125,22 @@ std::string firstTodo(const std::vector<std::string>& texts, const std::vector<s
   return {};
 }
 
+/// Some of what the doctor says has the place where it is to be mended, not where it shows.
+/// \param knowsSizes of textures that are drawn into
+void takePlaced(Observed& observed, const Expected& expected, bool knowsSizes,
+                const std::vector<std::string>& todos, const fs::path& folder) {
+  const auto has = [](const std::string& fault, std::string_view what) {
+    return fault.find(gg::words(what)) != fault.npos;
+  };
+  for (const std::string& fault : observed.faults)
+    if (observed.todo.empty() &&
+        (std::ranges::any_of(kPlaced, [&](std::string_view what) { return has(fault, what); }) ||
+         (has(fault, kViewport) && (knowsSizes || has(fault, "the window"))))) {
+      observed.todo = firstTodo({fault}, todos, expected, folder);
+      observed.isSure = !observed.todo.empty();
+    }
+}
+
 /// Stands a name in a text, and not as a part of another? In Japanese no spaces are around it.
 bool hasWord(const std::string& text, const std::string& name) {
   const auto isOfAName = [](char c) {
@@ -141,6 +158,18 @@ bool hasWord(const std::string& text, const std::string& name) {
 bool isClippedOtherwise(const std::string& fault) {
   return fault.find("GL_CLIP_DISTANCE0") != fault.npos &&
          fault.find("gl_ClipDistance") != fault.npos;
+}
+
+/// The TODO that asks for distances, by its comment; empty: none does.
+std::string clippingTodo(const fs::path& stub) {
+  static const std::regex asks(R"(TODO\(([\w.]+)\):.*gl_ClipDistance)");
+  for (const fs::directory_entry& file : fs::directory_iterator(stub)) {
+    std::smatch match;
+    if (file.path().extension() != ".vert") continue;
+    const std::string text = readFile(file.path());
+    if (std::regex_search(text, match, asks)) return match[1];
+  }
+  return {};
 }
 
 /// Where shaders write distances.
@@ -161,6 +190,15 @@ std::vector<std::string> clippingPlaces(const fs::path& folder) {
 
 std::string doctorsPrefix() {
   return say("frame doctor: {}", "");
+}
+
+std::vector<std::string> doctorsFindings(const std::vector<std::string>& messages) {
+  const std::string doctor = doctorsPrefix(), perhaps = doctor + say("perhaps: {}", "");
+  std::vector<std::string> found;
+  for (const std::string& text : messages)
+    if (text.starts_with(doctor) && !text.starts_with(perhaps))
+      found.push_back(text.substr(doctor.size()));
+  return found;
 }
 
 void dropPointless(std::vector<std::string>& messages, const Expected& expected, std::size_t step) {
@@ -217,19 +255,8 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
   observed.todo =
       frustum.empty() ? firstTodo(errors, todos, expected, folder) : expected.frustum.todo;
   observed.isSure = !observed.todo.empty() && frustum.empty(); // others may be drawn with
-  // Some of what the doctor says has the place where it is to be mended, not where it shows.
-  const auto has = [](const std::string& fault, std::string_view what) {
-    return fault.find(gg::words(what)) != fault.npos;
-  };
   // Where something is sampled, its size was looked at.
-  const bool knowsSizes = !expected.samplers[step].empty();
-  for (const std::string& fault : observed.faults)
-    if (observed.todo.empty() &&
-        (std::ranges::any_of(kPlaced, [&](std::string_view what) { return has(fault, what); }) ||
-         (knowsSizes && has(fault, kViewport)))) {
-      observed.todo = firstTodo({fault}, todos, expected, folder);
-      observed.isSure = !observed.todo.empty();
-    }
+  takePlaced(observed, expected, !expected.samplers[step].empty(), todos, folder);
   std::size_t first = expected.todos.size() + 1;
   for (const SamplerFault& fault : samplers)
     if (!fault.isStorage) first = std::min(first, since(expected, step, fault.sampler));
@@ -237,8 +264,20 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
     observed.todo = expected.todos[first - 1];
   if (observed.todo.empty()) observed.todo = firstTodo(observed.faults, todos, expected, folder);
   if (std::ranges::any_of(observed.faults, isClippedOtherwise))
+    observed.cardTodo = clippingTodo(stubFolder(expected.folder));
+  if (std::ranges::any_of(observed.faults, isClippedOtherwise) && observed.cardTodo.empty())
     observed.cardTodo = firstTodo(clippingPlaces(folder), todos, expected, folder);
   return observed;
+}
+
+void observeElsewhere(Observed& observed, const Expected& expected,
+                      const std::vector<std::string>& findings,
+                      const std::vector<std::string>& todos, const fs::path& folder) {
+  for (const std::string& text : findings)
+    if (!text.starts_with(gg::words("all pixels of the window have one colour")))
+      observed.faults.push_back(text);
+  observed.isState = !observed.faults.empty();
+  takePlaced(observed, expected, false, todos, folder);
 }
 
 std::string wrongEncoding(const Assignment& assignment, const fs::path& folder) {

@@ -31,6 +31,9 @@ struct Observed {
 /// Before what the frame doctor says.
 std::string doctorsPrefix();
 
+/// What the frame doctor has found, without its prefix and its guesses.
+std::vector<std::string> doctorsFindings(const std::vector<std::string>& messages);
+
 /// Takes the doctor's guesses about samplers that have nothing to read after `step` TODOs, or
 /// nothing of this part's, out of the program's messages.
 void dropPointless(std::vector<std::string>& messages, const Expected& expected, std::size_t step);
@@ -43,6 +46,12 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
                  const std::vector<std::string>& messages,
                  const std::vector<channel::CapturedMessage>& captured,
                  const std::vector<std::string>& todos, const std::filesystem::path& folder);
+
+/// What the doctor has found in a scene whose pictures are the first that are wrong, where the
+/// public one tells nothing: a size that is typed in, for instance.
+void observeElsewhere(Observed& observed, const Expected& expected,
+                      const std::vector<std::string>& findings,
+                      const std::vector<std::string>& todos, const std::filesystem::path& folder);
 
 /// Of files that a compiler may misread: the second byte of some characters of Shift_JIS is a
 /// backslash, which joins two lines. Names all, after the place of the first; empty: there are
