@@ -423,6 +423,30 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
       << "the sum of no samples was divided by their number";
 }
 
+TEST_F(Check, AWindowsSizeThatIsTypedInIsNamedInTheSceneThatShowsIt) {
+  Submission submission = Submission::solution();
+  submission.replace("mirror.hpp", "glViewport(0, 0, window.x, window.y);",
+                     "glViewport(0, 0, 640, 480);");
+  const json part = checked(submission.path());
+  EXPECT_EQ(part.at("todos").at(1).at("state"), "wrong");
+  EXPECT_THAT(part.at("cause").get<std::string>(),
+              HasSubstr("The viewport is 640 x 480 pixels, but the window is "));
+  for (const std::size_t other : {0U, 2U, 3U, 4U, 5U})
+    EXPECT_EQ(part.at("todos").at(other).at("state"), "done") << other;
+}
+
+TEST_F(Check, ClippingThatIsLeftOnIsTheWorkOfWhoAsksForDistances) {
+  Submission submission = Submission::solution();
+  submission.replace("mirror.hpp", "  glDisable(GL_CLIP_DISTANCE0);\n", "");
+  // Above its TODO, where another one's lines are.
+  submission.replace("mirror.vert", "  gl_ClipDistance[0] = uClip ? world.y : 1;\n", "");
+  submission.replace("mirror.vert", "  // TODO(mirror.6)",
+                     "  gl_ClipDistance[0] = uClip ? world.y : 1;\n  // TODO(mirror.6)");
+  const json part = checked(submission.path());
+  EXPECT_EQ(part.at("todos").at(4).at("state"), "done");
+  EXPECT_EQ(part.at("todos").at(5).at("state"), "wrong");
+}
+
 TEST_F(Check, AnErrorOfOpenGlIsNeverDone) {
   Submission submission = Submission::firstSteps(1);
   submission.replace(
