@@ -98,6 +98,9 @@ TEST(CheckRows, ALittleThatNothingExplainsIsNotCalledWrong) {
   EXPECT_EQ(states(changed(0.1f), first(5), {"m.5", true}), "ddddw")
       << "a known mistake shows this";
   EXPECT_EQ(states(changed(0.1f), first(5), {"m.3"}), "ddlll") << "and a guess at where";
+  Suspect suspect;
+  suspect.drawing = {"m.2"};
+  EXPECT_EQ(states(changed(0.1f), first(5), suspect), "dldll") << "and what draws the pass";
 }
 
 TEST(CheckRows, APassThatDiffersIsNotCalledWrongWhileAllWindowsAreRight) {

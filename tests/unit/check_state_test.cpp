@@ -1,3 +1,4 @@
+#include "check/observed.hpp"
 #include "diagnosis/outcome.hpp"
 #include "trace_samples.hpp"
 
@@ -105,6 +106,19 @@ TEST(CheckState, SamplersAreListedWithWhatTheyRead) {
   EXPECT_THAT(diagnosis::sampledTextures(trace), ElementsAre(std::pair(name, wanted)));
   trace.samples[0].image.name = 0;
   EXPECT_THAT(diagnosis::sampledTextures(trace), IsEmpty());
+}
+
+TEST(CheckState, GuessesAboutSamplersOfOtherPartsAreNotTold) {
+  check::Expected expected;
+  expected.samplers = {{{"uReflection", {}}}, {{"uReflection", {}}, {"uScene", {}}}};
+  const std::string doctor = check::doctorsPrefix(), perhaps = doctor + "perhaps: sampler ";
+  std::vector<std::string> said = {"floor: hello", doctor + "the depth test is on",
+                                   perhaps + "uReflection reads black (after mirror.hpp:70)",
+                                   perhaps + "uScene reads black", perhaps + "uOther reads black"};
+  check::dropPointless(said, expected, 1);
+  EXPECT_THAT(said, ElementsAre("floor: hello", doctor + "the depth test is on",
+                                perhaps + "uScene reads black"));
+  EXPECT_THAT(check::doctorsFindings(said), ElementsAre("the depth test is on"));
 }
 
 } // namespace
