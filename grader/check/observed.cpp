@@ -87,8 +87,9 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
            isStorage ? say("The sampler {} reads a texture of {} x {} pixels, and should read one "
                            "of {} x {}: which size does its storage get?",
                            sampler, width, height, wanted.width, wanted.height)
-                     : say("The sampler {} reads a texture of {} x {} pixels, and should read one "
-                           "of {} x {}: is another one bound to its unit, has this one the "
+                     : say("The sampler {} reads a texture of {} x {} pixels where it reads last, "
+                           "and should read one of {} x {}: is another one bound to its unit, has "
+                           "this one the "
                            "wrong size, or is a draw missing, too many, or in another place?",
                            sampler, width, height, wanted.width, wanted.height),
            isStorage});
