@@ -264,10 +264,11 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
   if (observed.todo.empty() && first <= expected.todos.size())
     observed.todo = expected.todos[first - 1];
   if (observed.todo.empty()) observed.todo = firstTodo(observed.faults, todos, expected, folder);
-  if (std::ranges::any_of(observed.faults, isClippedOtherwise))
+  if (std::ranges::any_of(observed.faults, isClippedOtherwise)) {
     observed.cardTodo = clippingTodo(stubFolder(expected.folder));
-  if (std::ranges::any_of(observed.faults, isClippedOtherwise) && observed.cardTodo.empty())
-    observed.cardTodo = firstTodo(clippingPlaces(folder), todos, expected, folder);
+    if (observed.cardTodo.empty())
+      observed.cardTodo = firstTodo(clippingPlaces(folder), todos, expected, folder);
+  }
   return observed;
 }
 

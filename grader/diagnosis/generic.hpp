@@ -49,8 +49,8 @@ std::string describe(const Generic& generic, const std::string& what);
 /// the change leaves the picture as it is.
 std::optional<Generic> generic(std::span<const Pair> pairs);
 
-/// Is the light that a picture adds to `before` that of the right one but for a factor? Of light, or
-/// of light encoded by the sRGB curve. Pictures of one size and as many channels; what either of
+/// Is the light that a picture adds to `before` that of the right one but for a factor? Of light,
+/// or of light encoded by the sRGB curve. Pictures of one size and as many channels; what either of
 /// them cuts off at 1 doesn't count.
 bool addsScaledLight(const Image& student, const Image& reference, const Image& before);
 

@@ -316,8 +316,7 @@ private:
       causes.push_back(
           {one.passes, unit.role, unit.name, own_.owners().ownersOf(one), one.isUnseen});
       // A hidden scene's numbers come through uniforms; the first scene is the public one.
-      if (!unit.name.starts_with("uniform ") || scene.index == 0)
-        causes.back().own = one.own;
+      if (!unit.name.starts_with("uniform ") || scene.index == 0) causes.back().own = one.own;
       missing_.merge(own_.owners().missingIn(one, scene.compared));
     }
     std::set<std::set<std::string>> works;
