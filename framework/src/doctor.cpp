@@ -69,6 +69,7 @@ struct Watch {
   std::map<GLuint, std::string> storedAt;      // a 2D texture, where it got its storage last
   std::map<GLuint, std::string> boundAt;       // a framebuffer, last
   std::string viewportPlace;                   // of glViewport, or of what should come before it
+  std::string boundPlace; // of the program's last call that bound a texture or a framebuffer
   std::map<std::string, std::string> calledAt; // a function, last
   std::map<GLuint, DrawingProgram> programs;
   std::set<GLuint> setSinceUse;             // programs: uniforms since glUseProgram or a draw
@@ -155,6 +156,11 @@ void checkUniforms(GLuint program, const ActiveUniforms& uniforms) {
          lastPlace());
 }
 
+// What closes a feedback loop: the draw is often a helper's, which others call, too.
+void noteBinding() {
+  if (lastCallPlace.isNow) watch.boundPlace = lastPlace();
+}
+
 void checkFeedback(GLuint program, const ActiveUniforms& uniforms) {
   const auto loop = feedbackLoop(program, uniforms);
   if (!loop) return;
@@ -167,7 +173,7 @@ void checkFeedback(GLuint program, const ActiveUniforms& uniforms) {
                "framebuffer before drawing; to read another mipmap level of it, set "
                "GL_TEXTURE_BASE_LEVEL and GL_TEXTURE_MAX_LEVEL",
                loop->sampler, labelOf(program), loop->attachment, nameOf(framebuffer), loop->unit) +
-               lastPlace()});
+               (watch.boundPlace.empty() ? lastPlace() : watch.boundPlace)});
 }
 
 void checkMatrices(GLuint program, const ActiveUniforms& uniforms) {
@@ -322,12 +328,14 @@ void after(void*, const char* name, GLADapiproc, int count, ...) {
     ++target.draws;
     target.colorCleared = target.depthCleared = true;
   } else if (function == "glBindTexture") {
+    noteBinding();
     const GLenum target = va_arg(arguments, GLenum);
     watch.textures.try_emplace(va_arg(arguments, GLuint), target);
   } else if (function == "glTexImage2D" || function == "glTexStorage2D") {
     if (va_arg(arguments, GLenum) == GL_TEXTURE_2D)
       watch.storedAt[GLuint(ask(GL_TEXTURE_BINDING_2D))] = lastPlace();
   } else if (function == "glBindFramebuffer") {
+    noteBinding();
     va_arg(arguments, GLenum);
     watch.boundAt[va_arg(arguments, GLuint)] = lastPlace();
     watch.viewportPlace = lastPlace(); // where it is missing, unless it comes after this

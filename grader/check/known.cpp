@@ -120,7 +120,7 @@ std::vector<const Fault*> KnownMistakes::like(std::size_t scene, std::size_t ste
 
 /// In an unfinished program what showed after an earlier step was looked at then: of those that
 /// nothing tells apart, the latest step is the likelier one. A finished one may never have been
-/// looked at. And two of one group are one mistake.
+/// looked at. And two of one group are one mistake, if they are made in one TODO.
 void KnownMistakes::keepLikeliest(std::vector<const Fault*>& faults) const {
   const auto firstShown = [&](const Fault* fault) {
     std::size_t first = fault->step;
@@ -136,9 +136,10 @@ void KnownMistakes::keepLikeliest(std::vector<const Fault*>& faults) const {
   std::ranges::stable_sort(faults, std::ranges::greater(), [&](const Fault* fault) {
     return std::ranges::find(expected_.todos, fault->todo) - expected_.todos.begin();
   });
-  std::set<std::string> groups;
-  std::erase_if(faults,
-                [&](const Fault* fault) { return !groups.insert(fault->signature.group).second; });
+  std::set<std::pair<std::string, std::string>> told;
+  std::erase_if(faults, [&](const Fault* fault) {
+    return !told.emplace(fault->signature.group, fault->todo).second;
+  });
 }
 
 /// Is the first wrong picture of the program one that this mistake leaves right?

@@ -257,7 +257,10 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
       frustum.empty() ? firstTodo(errors, todos, expected, folder) : expected.frustum.todo;
   observed.isSure = !observed.todo.empty() && frustum.empty(); // others may be drawn with
   // Where something is sampled, its size was looked at.
-  takePlaced(observed, expected, !expected.samplers[step].empty(), todos, folder);
+  const bool knowsSizes = std::ranges::any_of(expected.samplers[step], [&](const auto& sampler) {
+    return !expected.samplers[0].contains(sampler.first);
+  });
+  takePlaced(observed, expected, knowsSizes, todos, folder);
   std::size_t first = expected.todos.size() + 1;
   for (const SamplerFault& fault : samplers)
     if (!fault.isStorage) first = std::min(first, since(expected, step, fault.sampler));

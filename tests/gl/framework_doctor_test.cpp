@@ -511,7 +511,7 @@ protected:
                        nullptr);
         glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 1);
       }
-      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer), boundAt_ = __LINE__;
       glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, level);
       glViewport(0, 0, kSide >> level, kSide >> level);
       glClear(GL_COLOR_BUFFER_BIT);
@@ -529,6 +529,7 @@ protected:
       draw();
     });
   }
+  int boundAt_ = 0; ///< the line of the last call that binds what the loop is made of
 };
 
 INSTANTIATE_TEST_SUITE_P(Framework, DoctorOfFeedback, testing::Values("0"));
@@ -541,6 +542,12 @@ TEST_P(DoctorOfFeedback, ATextureIsReadAndDrawnInto) {
                               "undefined: bind another texture to unit 0 or another framebuffer "
                               "before drawing; "),
                     ResultOf(lines, 1)));
+}
+
+/// Not where it is drawn, which a helper may do for many.
+TEST_P(DoctorOfFeedback, ThePlaceIsWhereTheLoopIsClosed) {
+  const std::string said = feedback([](const gg::Program&, GLuint) {});
+  EXPECT_THAT(said, HasSubstr(fmt::format("framework_doctor_test.cpp:{})", boundAt_)));
 }
 
 /// As down a pyramid that reads the level it writes.
