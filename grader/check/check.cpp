@@ -47,7 +47,7 @@ public:
   Checked run() {
     checked_.happened = drawn_.happened;
     checked_.messages = drawn_.messages;
-    dropPointless(checked_.messages, expected_, drawn_.step);
+    if (!isTogether(expected_)) dropPointless(checked_.messages, expected_, drawn_.step);
     checked_.rows = notJudged();
     checked_.drawn = drawn_.isJudged();
     if (drawn_.isBuilt) observed_ = observed();
@@ -255,6 +255,7 @@ private:
     suspect.todo = expected_.scenes[first.scene].todo; // it is there for this one
     suspect.also = expected_.scenes[first.scene].also;
     suspect.isGuess = true;
+    suspect.binding = bindingForTheWindow(expected_, drawn_.step, drawn_.trace);
     if (drawn_.begun.count(observed_.todo)) { // of the public scene, which hardly shows it
       suspect.todo = observed_.todo;
       suspect.also.clear();

@@ -285,6 +285,20 @@ void observeElsewhere(Observed& observed, const Expected& expected,
   takePlaced(observed, expected, false, todos, folder);
 }
 
+std::set<std::string> bindingForTheWindow(const Expected& expected, std::size_t step,
+                                          const trace::Trace& trace) {
+  std::set<std::string> todos;
+  for (const trace::PassRecord& pass : trace.passesOf(0)) {
+    if (pass.framebuffer != 0) continue;
+    for (const trace::StepRecord& draw : trace.stepsOf(pass))
+      for (const trace::SampleRecord& sample : trace.samplesOf(draw))
+        if (expected.samplers[step].contains(sample.uniform) &&
+            !expected.samplers[0].contains(sample.uniform))
+          todos.insert(expected.todos[since(expected, step, sample.uniform) - 1]);
+  }
+  return todos;
+}
+
 std::string wrongEncoding(const Assignment& assignment, const fs::path& folder) {
   std::string message, separator = ": ";
   for (const std::string& name : grading::ownFiles(assignment, folder)) {

@@ -6,6 +6,7 @@
 #include "capture/channel_reader.hpp"
 #include "check/expected.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,10 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
 void observeElsewhere(Observed& observed, const Expected& expected,
                       const std::vector<std::string>& findings,
                       const std::vector<std::string>& todos, const std::filesystem::path& folder);
+
+/// The TODOs with which what draws the window begins to read one of its samplers.
+std::set<std::string> bindingForTheWindow(const Expected& expected, std::size_t step,
+                                          const trace::Trace& trace);
 
 /// Of files that a compiler may misread: the second byte of some characters of Shift_JIS is a
 /// backslash, which joins two lines. Names all, after the place of the first; empty: there are

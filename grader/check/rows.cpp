@@ -379,7 +379,8 @@ private:
       // that are there for a TODO.
       if ((judging_.isAnother(*wrong_)
                ? judging_.isUsedThere(*wrong_, k, should_) &&
-                     !judging_.isRightThere(*wrong_, k, should_)
+                     (!judging_.isRightThere(*wrong_, k, should_) ||
+                      suspect_.binding.count(row.todo))
                : suspect_.spoiling.count(row.todo) ||
                      ((row.state == State::waits || judging_.isOfATodo(*wrong_)) &&
                       judging_.isChanged(*wrong_, k))) ||

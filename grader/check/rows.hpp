@@ -60,6 +60,8 @@ struct Suspect {
   std::set<std::string> also{};     ///< TODOs that are as likely
   std::set<std::string> spoiling{}; ///< those with known mistakes that spoil such a picture first
   std::set<std::string> drawing{};  ///< those that change the pass that is wrong first
+  /// Those that bind what the window is drawn with: of another scene right passes don't tell.
+  std::set<std::string> binding{};
 };
 
 /// One row a TODO. A program whose windows are those after some step is judged by these alone,

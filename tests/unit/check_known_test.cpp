@@ -76,6 +76,15 @@ TEST_F(CheckKnown, OfAnUnfinishedOneTheLastStepIsWhatWasMadeJustNow) {
   EXPECT_THAT(like(all), ElementsAre("late"));
 }
 
+/// Two that show the same are one mistake where they are made in one TODO.
+TEST_F(CheckKnown, OfOneGroupThoseOfTwoTodosAreBothTold) {
+  Expected all = twoSteps();
+  for (Fault& fault : all.faults) fault.signature.group = "late";
+  EXPECT_THAT(like(all), ElementsAre("late", "early"));
+  for (Fault& fault : all.faults) fault.todo = "mirror.2";
+  EXPECT_THAT(like(all), ElementsAre("early"));
+}
+
 TEST_F(CheckKnown, AMistakeOfAnEarlierStepMayHideTheLast) {
   const auto hiding = [&](const Expected& made) {
     save(made, folder_.path());
