@@ -66,9 +66,9 @@ struct Watch {
   std::map<GLuint, Target> targets;               // by framebuffer; 0: the window
   std::vector<GLuint> written;                    // framebuffer objects: drawn into or cleared
   TextureTargets textures;
-  std::map<GLuint, std::string> storedAt;      // a 2D texture, where it got its storage last
-  std::map<GLuint, std::string> boundAt;       // a framebuffer, last
-  std::string viewportPlace;                   // of glViewport, or of what should come before it
+  std::map<GLuint, std::string> storedAt; // a 2D texture, where it got its storage last
+  std::map<GLuint, std::string> boundAt;  // a framebuffer, last
+  std::string viewportPlace;              // of glViewport, or of what should come before it
   std::string boundPlace; // of the program's last call that bound a texture or a framebuffer
   std::map<std::string, std::string> calledAt; // a function, last
   std::map<GLuint, DrawingProgram> programs;

@@ -183,6 +183,10 @@ TEST(CheckRows, WhatIsWrongInAnotherSceneAloneIsTheOnesThatChangesItThere) {
   EXPECT_EQ(letters(rows(all, {right, right}, first(5))), "ddddd");
   EXPECT_EQ(letters(rows(all, {right, wrong}, first(5))), "mdmmm")
       << "all but the one that is right there";
+  Suspect binds;
+  binds.binding = {"m.2"};
+  EXPECT_EQ(letters(rows(all, {right, wrong}, first(5), binds)), "mmmmm")
+      << "it binds what the window is drawn with";
   EXPECT_EQ(letters(rows(all, {right, wrong}, first(5), {"m.2"})), "dwddd");
   SceneViews pass = right;
   pass.passes[0].picture = diagnosis::reduced(kEmpty, 3);
