@@ -235,11 +235,13 @@ void onDraw(GLsizei vertices) {
 
   if (glad_glIsEnabled(GL_DEPTH_TEST) == GL_TRUE && hasDepth()) {
     const GLint comparison = ask(GL_DEPTH_FUNC);
-    if (!target.depthCleared && (comparison == GL_LESS || comparison == GL_LEQUAL))
+    if (!target.depthCleared && (comparison == GL_LESS || comparison == GL_LEQUAL)) {
+      const auto bound = watch.boundAt.find(framebuffer); // after that it is missing
       find(say("the depth test is on, but the depth of {} was not cleared in this frame before "
                "this is drawn: what was there hides it. glClear(GL_DEPTH_BUFFER_BIT)",
                nameOf(framebuffer)) +
-           lastPlace());
+           (framebuffer != 0 && bound != watch.boundAt.end() ? bound->second : lastPlace()));
+    }
     if (!target.colorCleared && framebuffer == 0 && vertices > kMostOfAScreen &&
         !target.unclearedPlace)
       target.unclearedPlace = lastPlace();

@@ -29,7 +29,7 @@ std::string lastPlace() {
   const std::string_view file = lastCallPlace.file;
   const std::string place = std::string(file.substr(file.find_last_of("/\\") + 1)) + ":" +
                             std::to_string(lastCallPlace.line);
-  return " (" + (lastCallPlace.isNow ? place : say("after {}", place)) + ")";
+  return " (" + (lastCallPlace.isNow ? place : say("noticed after {}", place)) + ")";
 }
 
 } // namespace gg::detail

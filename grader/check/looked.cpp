@@ -57,11 +57,13 @@ const Row* rowToLookAt(const Checked& checked) {
     return row == checked.rows.end() ? nullptr : &*row;
   };
   if (const Row* row = first(State::wrong)) return row;
-  // Else, of those that may be, the one that was written last: whoever looks often has seen the
-  // others.
+  // Else, of those that may be, the likeliest; or the one that was written last: whoever looks
+  // often has seen the others.
   if (const auto rows = inDoubt(checked); !rows.empty()) {
     const auto likely = std::ranges::find(rows, checked.likely, &Row::todo);
-    return likely == rows.end() ? rows.back() : *likely;
+    if (likely != rows.end()) return *likely;
+    const auto first = std::ranges::find_if(rows, &Row::isFirst);
+    return first == rows.end() ? rows.back() : *first;
   }
   if (const Row* row = first(State::differs)) return row;
   const auto next =
@@ -86,7 +88,8 @@ bool hasWrong(const Checked& checked) {
 
 std::string unknownCause(const Checked& checked) {
   if (!checked.cause.empty() || !hasWrong(checked) || !checked.firstWrong) return {};
-  return say("No known mistake shows this picture. Put it beside the expected one: where do "
+  return say("No mistake that is known at this point shows this picture. Put it beside the "
+             "expected one: where do "
              "they differ, and since which line? Take that line out: what changes?");
 }
 

@@ -291,7 +291,10 @@ public:
                    all_, [](const Row& row) { return row.state == State::notBegun && row.seen; }) -
                all_.begin()) +
            1;
-    if (Row* culprit = culpritOf()) blame(*culprit);
+    if (Row* culprit = culpritOf()) {
+      culprit->isFirst = true;
+      blame(*culprit);
+    }
     for (Row& row : all_)
       if (const std::size_t last = lastToShow(row.todo); row.state == State::done && last > should_)
         row.showsWith = expected_.todos[last - 1];

@@ -40,6 +40,7 @@ struct Row {
   /// The TODO with which the last of the known mistakes in this one shows, where that is yet to be
   /// done; else empty.
   std::string showsWith{};
+  bool isFirst = false; ///< of those in doubt the one that pictures speak of most
 };
 
 /// Is all that was begun done?

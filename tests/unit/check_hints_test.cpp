@@ -110,9 +110,9 @@ TEST(CheckHints, AWrongPictureOfNoKnownCauseIsToldAsSuch) {
   unknown.cause.clear();
   unknown.firstWrong.emplace();
   Seen seen(unknown);
-  EXPECT_THAT(seen.at(Level::where), HasSubstr("\nNo known mistake shows this picture. Put it"));
+  EXPECT_THAT(seen.at(Level::where), HasSubstr("\nNo mistake that is known at this point shows this picture. Put it"));
   EXPECT_THAT(page("m", {seen.looked}, false),
-              HasSubstr("No known mistake shows this picture. Put it"));
+              HasSubstr("No mistake that is known at this point shows this picture. Put it"));
   EXPECT_THAT(page("m", {Seen(lightWrong()).looked}, false), Not(HasSubstr("No known mistake")));
   unknown.rows[1].state = State::nearly;
   EXPECT_THAT(Seen(unknown).at(Level::where), Not(HasSubstr("No known mistake")));
@@ -167,6 +167,10 @@ TEST(CheckHints, OfSeveralInDoubtTheLikelyOneIsReadElseAll) {
               HasSubstr("\nRead again: assignments/m/README.md, one of the steps 1, 2\n"));
   EXPECT_EQ(rowToLookAt(checked)->todo, "m.2") << "the one that was written last";
   EXPECT_EQ(rowsToLookAt(checked).size(), 2U);
+  checked.rows[0].isFirst = true;
+  EXPECT_EQ(rowToLookAt(checked)->todo, "m.1") << "the one that pictures speak of";
+  EXPECT_EQ(rowsToLookAt(checked).size(), 2U);
+  checked.rows[0].isFirst = false;
   Seen both(checked);
   both.looked.otherPlaces = {{"m.1", {"n.cpp", 7, 2}}};
   EXPECT_THAT(both.at(Level::where), AllOf(HasSubstr("\nm.cpp:12:4: warning: m.2 may be wrong"),
