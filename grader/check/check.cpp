@@ -51,6 +51,7 @@ public:
     checked_.rows = notJudged();
     checked_.drawn = drawn_.isJudged();
     if (drawn_.isBuilt) observed_ = observed();
+    checked_.misread = observed_.misread;
     if (checked_.drawn) judge();
     outcome();
     if (std::string text = wrongEncoding(assignment_, folder_); !text.empty())

@@ -32,6 +32,7 @@ struct Checked {
       firstWrong;    ///< the first wrong picture of a frame, against what should be there now
   std::string cause; ///< the likeliest one, in words; empty: none is known
   std::string hint;  ///< what to look at; may be empty
+  std::string misread; ///< a sampler that reads another texture than it should; may be empty
   std::vector<std::string> titles; ///< of several mistakes that look alike; `hint` has them, too
   /// Is this for the student to find out, and told bit by bit? Not what compiler, OpenGL or the
   /// program itself say.

@@ -3,6 +3,7 @@
 #include "check/begun.hpp"
 #include "check/editor.hpp"
 #include "check/keys.hpp"
+#include "check/observed.hpp"
 #include "check/page.hpp"
 #include "check/terminal.hpp"
 #include "cli/help.hpp"
@@ -20,6 +21,7 @@
 #include <exception>
 #include <map>
 #include <optional>
+#include <span>
 #include <thread>
 
 #include <unistd.h>
@@ -251,8 +253,27 @@ private:
     if (expectedTogether_ && all.size() == parts_.size() &&
         std::ranges::all_of(all, [](const Looked& looked) { return isFinished(looked.checked); }))
       all.push_back(lookAt(together_, *expectedTogether_));
+    if (all.size() > parts_.size()) doubtReader(all);
     report::writeFile(out_, page("ggrade check " + target_.id, all, options_.watch));
     looked_ = std::move(all);
+  }
+
+  /// Where all effects are drawn, and a sampler reads what another effect bound, whoever reads it
+  /// may have left a texture unit active.
+  ///   all: the parts, and all effects together
+  void doubtReader(std::vector<Looked>& all) const {
+    const Checked& together = all.back().checked;
+    if (together.misread.empty() || allRight(together.rows)) return;
+    for (Looked& looked : std::span(all).first(parts_.size())) {
+      std::vector<Row>& rows = looked.checked.rows;
+      const auto row =
+          std::ranges::find(rows, readerOf(*looked.expected, together.misread), &Row::todo);
+      if (row == rows.end()) continue;
+      row->state = State::maybe;
+      looked.checked.cause =
+          say("Alone it is right, and where all effects are drawn it isn't: {}", together.cause);
+      findPlaces(looked);
+    }
   }
 
   Looked lookAt(const Part& part, const Expected& expected) const {
@@ -266,9 +287,14 @@ private:
                            [&](const std::string& what, std::size_t done, std::size_t total) {
                              if (isatty(STDERR_FILENO) != 0) progress(what, done, total);
                            });
+    findPlaces(looked);
+    return looked;
+  }
+
+  void findPlaces(Looked& looked) const {
     const auto placesOf = [&](const Row& row) {
-      std::vector<Place> places =
-          check::placesOf(row.todo, target_.assignment.files, stubFolder(expected.folder), folder_);
+      std::vector<Place> places = check::placesOf(row.todo, target_.assignment.files,
+                                                  stubFolder(looked.expected->folder), folder_);
       if (looked.checked.firstWrong) putReaderFirst(places, looked.checked.firstWrong->samplers);
       return places;
     };
@@ -278,7 +304,6 @@ private:
         looked.places = placesOf(*row);
       else if (const std::vector<Place> places = placesOf(*row); !places.empty())
         looked.otherPlaces.emplace(row->todo, places.front());
-    return looked;
   }
 
   /// How much is told of each part: where it is wrong alone, or in a watch or where more is asked

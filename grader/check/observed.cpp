@@ -223,6 +223,7 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
   for (std::string& fault : diagnosis::stateFaults(trace))
     observed.faults.push_back(std::move(fault));
   const std::vector<SamplerFault> samplers = samplerFaults(expected, step, trace);
+  if (!samplers.empty()) observed.misread = samplers[0].sampler;
   observed.isStorage = std::ranges::any_of(samplers, &SamplerFault::isStorage);
   const std::string doctor = doctorsPrefix();
   const auto said = std::ranges::find_if(messages, [&](const std::string& text) {
@@ -283,6 +284,18 @@ void observeElsewhere(Observed& observed, const Expected& expected,
       observed.faults.push_back(text);
   observed.isState = !observed.faults.empty();
   takePlaced(observed, expected, false, todos, folder);
+  if (observed.todo.empty() && std::ranges::any_of(observed.faults, [](const std::string& fault) {
+        return fault.find("NaN") != fault.npos;
+      })) {
+    observed.todo = expected.frustum.todo;
+    observed.isFrustum = !observed.todo.empty();
+  }
+}
+
+std::string readerOf(const Expected& expected, const std::string& sampler) {
+  const bool isOwn =
+      expected.samplers.back().contains(sampler) && !expected.samplers[0].contains(sampler);
+  return isOwn ? expected.todos[since(expected, expected.todos.size(), sampler) - 1] : "";
 }
 
 std::set<std::string> bindingForTheWindow(const Expected& expected, std::size_t step,
@@ -292,9 +305,8 @@ std::set<std::string> bindingForTheWindow(const Expected& expected, std::size_t 
     if (pass.framebuffer != 0) continue;
     for (const trace::StepRecord& draw : trace.stepsOf(pass))
       for (const trace::SampleRecord& sample : trace.samplesOf(draw))
-        if (expected.samplers[step].contains(sample.uniform) &&
-            !expected.samplers[0].contains(sample.uniform))
-          todos.insert(expected.todos[since(expected, step, sample.uniform) - 1]);
+        if (expected.samplers[step].contains(sample.uniform))
+          todos.insert(readerOf(expected, sample.uniform));
   }
   return todos;
 }

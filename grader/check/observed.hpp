@@ -26,6 +26,7 @@ struct Observed {
   bool isState = false;
   /// Is `todo` whose matrices they are? Others may be drawn with.
   bool isFrustum = false;
+  std::string misread;    ///< a sampler that reads another texture than it should; may be empty
   bool isStorage = false; ///< a texture that is read has another size than in the reference
 };
 
@@ -53,6 +54,9 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
 void observeElsewhere(Observed& observed, const Expected& expected,
                       const std::vector<std::string>& findings,
                       const std::vector<std::string>& todos, const std::filesystem::path& folder);
+
+/// The TODO with which this sampler is read first; empty: it is none of this part's.
+std::string readerOf(const Expected& expected, const std::string& sampler);
 
 /// The TODOs with which what draws the window begins to read one of its samplers.
 std::set<std::string> bindingForTheWindow(const Expected& expected, std::size_t step,

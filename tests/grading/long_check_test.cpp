@@ -269,6 +269,15 @@ TEST(LongCheckTogether, TellsOfWhatGoesWrongWhereAllEffectsAreDrawn) {
   EXPECT_THAT(shadow.at("cause").get<std::string>(),
               testing::HasSubstr("uShadowMap reads colours, not depths"));
   EXPECT_EQ(check(Submission::firstSteps(7)).size(), 3u) << "shadow and bloom aren't begun";
+
+  // Alone nothing tells that unit 1 stays active.
+  Submission leavesUnitOne = Submission::solution();
+  leavesUnitOne.replace("shadow.hpp", "  glActiveTexture(GL_TEXTURE0);\n", "");
+  const json left = check(leavesUnitOne);
+  EXPECT_EQ(stateOf(left.at(3)), std::set<std::string>{"wrong"}) << left.at(3).dump(1);
+  EXPECT_EQ(left.at(1).at("todos").at(3).at("state"), "maybe") << left.at(1).dump(1);
+  EXPECT_THAT(left.at(1).at("cause").get<std::string>(),
+              testing::HasSubstr("where all effects are drawn it isn't: The sampler uShadowMap"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, LongCheck,
