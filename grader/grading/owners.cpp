@@ -31,7 +31,8 @@ void keepText(std::string_view text, const fs::path& file) {
 
 /// A hash of all that they are learnt of: the solution, what all programs are built with, how they
 /// are recorded and compared. The same on every machine.
-std::string keyOf(const Target& target, const fs::path& solutionFolder, const SceneCase& scene) {
+std::string keyOf(const Target& target, const fs::path& solutionFolder,
+                  const std::vector<SceneCase>& scenes) {
   static const std::string tools = [] {
     const fs::path sources = toolchain::kSourceFolder;
     std::string all;
@@ -43,8 +44,23 @@ std::string keyOf(const Target& target, const fs::path& solutionFolder, const Sc
       all += hashOf(readFile(sources / file)) + ' ';
     return all;
   }();
-  return hashOf(tools + sourcesKey(target.assignment, solutionFolder) + target.id +
-                scene.scene.dump() + json(scene.times).dump());
+  std::string drawn;
+  for (const SceneCase& scene : scenes) drawn += scene.scene.dump() + json(scene.times).dump();
+  return hashOf(tools + sourcesKey(target.assignment, solutionFolder) + target.id + drawn);
+}
+
+/// The public scene, and those in which another step does the work of one that the public scene
+/// shows.
+ScenePlan scenesOf(const Target& part, const fs::path& solutionFolder) {
+  constexpr std::string_view kTag = "other_steps";
+  ScenePlan plan = drawScenes(part, solutionFolder);
+  const auto first = plan.scenes.begin() + 1;
+  plan.scenes.erase(std::remove_if(first, plan.scenes.end(),
+                                   [&](const SceneCase& scene) {
+                                     return std::ranges::find(scene.tags, kTag) == scene.tags.end();
+                                   }),
+                    plan.scenes.end());
+  return plan;
 }
 
 /// Is the file there, and was it learnt of what has this key?
@@ -81,19 +97,19 @@ Owners::Owners(const Target& target, const fs::path& solutionFolder) {
 }
 
 std::string Owners::textOfPart(const Target& part, const fs::path& solutionFolder) {
-  ScenePlan plan = drawScenes(part, solutionFolder);
-  plan.scenes.resize(1);
-  const std::string key = keyOf(part, solutionFolder, plan.scenes[0]);
+  const ScenePlan plan = scenesOf(part, solutionFolder);
+  const std::string key = keyOf(part, solutionFolder, plan.scenes);
   const fs::path cached = cacheFolder() / "owners" / key;
   for (const fs::path& file : {ownersFile(solutionFolder, part.id), cached})
     if (isOf(file, key)) return readFile(file);
   const References references = prepareReferences(
       part, solutionFolder, plan, [](const std::string&, std::size_t, std::size_t) {});
-  const tape::Tape reference =
-      recordOwn(part, {solutionFolder}, references.scenes[0], references.ownShaders);
   Owners learnt;
-  learnt.learn(part, solutionFolder, references, reference);
-  learnt.learnDeciders(part, solutionFolder, references, reference);
+  for (const rubric::SceneFolders& scene : references.scenes) {
+    const tape::Tape reference = recordOwn(part, {solutionFolder}, scene, references.ownShaders);
+    learnt.learn(part, solutionFolder, scene, references.ownShaders, reference);
+    learnt.learnDeciders(part, solutionFolder, scene, references.ownShaders, reference);
+  }
   const std::string text = learnt.text(key);
   keepText(text, cached);
   return text;
@@ -136,7 +152,7 @@ fs::path ownersFile(const fs::path& solutionFolder, const std::string& part) {
 
 bool areOwnersKept(const Target& part, const fs::path& solutionFolder) {
   return isOf(ownersFile(solutionFolder, part.id),
-              keyOf(part, solutionFolder, drawScenes(part, solutionFolder).scenes.at(0)));
+              keyOf(part, solutionFolder, scenesOf(part, solutionFolder).scenes));
 }
 
 void keepOwners(const Assignment& assignment, const fs::path& solutionFolder,
@@ -173,7 +189,8 @@ void Owners::addStep(const std::string& todo, const repair::Comparison& before,
 }
 
 void Owners::learn(const Target& target, const fs::path& solutionFolder,
-                   const References& references, const tape::Tape& reference) {
+                   const rubric::SceneFolders& scene, const ShaderCache& shaders,
+                   const tape::Tape& reference) {
   std::set<std::string> all, filled;
   std::vector<std::string> todos; // the target's, in their order
   for (const Part& part : target.assignment.parts)
@@ -198,9 +215,8 @@ void Owners::learn(const Target& target, const fs::path& solutionFolder,
   std::vector<std::optional<repair::Comparison>> compared(programs.size());
   inParallel(programs.size(), workers(), [&](std::size_t i) {
     try {
-      compared[i] = repair::compare(recordOwn(target, {solutionFolder, {}, programs[i]},
-                                              references.scenes.at(0), references.ownShaders),
-                                    reference);
+      compared[i] = repair::compare(
+          recordOwn(target, {solutionFolder, {}, programs[i]}, scene, shaders), reference);
     } catch (const NoTape&) {
       if (i >= todos.size()) throw; // a step of the handout draws
     }
@@ -224,28 +240,29 @@ void Owners::learn(const Target& target, const fs::path& solutionFolder,
 }
 
 void Owners::learnDeciders(const Target& target, const fs::path& solutionFolder,
-                           const References& references, const tape::Tape& reference) {
-  const rubric::SceneFolders& scene = references.scenes.at(0);
+                           const rubric::SceneFolders& scene, const ShaderCache& shaders,
+                           const tape::Tape& reference) {
   Statements statements(target, solutionFolder);
   std::vector<std::set<Unit>> changed(statements.size()); // without each statement
   inParallel(statements.size(), workers(), [&](std::size_t i) {
-    const Rendering drawn =
-        statements.renderWithout(i, scene.scene, scene.times, references.ownShaders,
-                                 tapingRequest(std::uint32_t(scene.times.size())));
+    const Rendering drawn = statements.renderWithout(
+        i, scene.scene, scene.times, shaders, tapingRequest(std::uint32_t(scene.times.size())));
     if (!drawn.happened.ok() || !drawn.capture.tapeRefused.empty()) return;
     for (const repair::Difference& one :
          repair::compare(tape::read(drawn.capture.tape), reference).differences)
       changed[i].insert(one.unit);
   });
   std::map<Unit, std::size_t> fewest; // units that the statement changes, with this one
+  std::map<Unit, std::set<std::string>> decided;
   for (std::size_t i = 0; i < changed.size(); ++i)
     for (const Unit& unit : changed[i]) {
       const auto [known, isNew] = fewest.try_emplace(unit, changed[i].size());
       if (changed[i].size() > known->second) continue;
-      if (changed[i].size() < known->second) decidedBy_[unit].clear();
+      if (changed[i].size() < known->second) decided[unit].clear();
       known->second = changed[i].size();
-      decidedBy_[unit].insert(statements.todoOf(i));
+      decided[unit].insert(statements.todoOf(i));
     }
+  for (auto& [unit, todos] : decided) decidedBy_[unit].merge(todos); // of several scenes
 }
 
 std::set<std::string> Owners::decidersOf(const Unit& unit) const {

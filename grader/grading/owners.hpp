@@ -54,9 +54,11 @@ public:
 private:
   Owners() = default;
   void learn(const Target& target, const std::filesystem::path& solutionFolder,
-             const References& references, const tape::Tape& reference);
+             const rubric::SceneFolders& scene, const ShaderCache& shaders,
+             const tape::Tape& reference);
   void learnDeciders(const Target& target, const std::filesystem::path& solutionFolder,
-                     const References& references, const tape::Tape& reference);
+                     const rubric::SceneFolders& scene, const ShaderCache& shaders,
+                     const tape::Tape& reference);
   void add(const std::string& todo, const repair::Difference& difference,
            const std::set<std::string>& lines);
   /// What differs from the reference before a step and doesn't after it is this step's work.
