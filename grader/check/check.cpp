@@ -233,6 +233,9 @@ private:
       suspect.isGuess = !observed_.isSure;
     } else {
       suspect.also = also_;
+      // What looks like a known mistake may be what was observed.
+      if (drawn_.begun.count(observed_.todo) && observed_.todo != suspect.todo)
+        suspect.also.insert(observed_.todo);
     }
     suspect.showsNothing = checked_.cause.empty() && !observed_.isSure && showsNothingNew();
     if (suspect.showsNothing) {
