@@ -39,7 +39,7 @@ std::array<glm::vec3, 8> objectsBox(const gg::Scene& scene, const gg::Mesh& mesh
   return corners;
 }
 
-// The object's own colour: six that can be told apart.
+// The object's own colour: eight that can be told apart.
 glm::vec3 objectColor(int i) {
   return {(i & 1) * 0.4f + 0.4f, (i & 2) * 0.2f + 0.4f, (i & 4) * 0.1f + 0.4f};
 }

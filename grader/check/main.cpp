@@ -424,7 +424,7 @@ int run(int argc, char** argv) {
   app.add_flag("--json", options.json, say("The same as --format json"));
   app.add_option("--expected", options.expected, say("What to compare with"))->group("");
   app.footer(say("The program is built and run on this machine, as you, without a sandbox.\n"
-                 "Exit codes: 0 all that was begun is right in every picture that was drawn,\n"
+                 "Exit codes: 0 all that was begun is done, as far as can be told,\n"
                  "1 something isn't, or may not be, 2 usage.\n\n"
                  "Examples:\n"
                  "  ggrade check mirror\n"
