@@ -108,6 +108,28 @@ TEST(CheckState, SamplersAreListedWithWhatTheyRead) {
   EXPECT_THAT(diagnosis::sampledTextures(trace), IsEmpty());
 }
 
+TEST(CheckState, WhoReadsASamplerIsTheStepWithWhichItIsReadFirst) {
+  check::Expected expected;
+  expected.todos = {"m.1", "m.2", "m.3"};
+  const diagnosis::Sampled scene{false, 640, 480}, level{false, 320, 240};
+  expected.samplers = {{{"uMap", {}}},
+                       {{"uMap", {}}, {"uScene", scene}},
+                       {{"uMap", {}}, {"uScene", scene}},
+                       {{"uMap", {}}, {"uScene", scene}, {"uLevel", level}}};
+  EXPECT_EQ(check::readerOf(expected, "uScene"), "m.1");
+  EXPECT_EQ(check::readerOf(expected, "uLevel"), "m.3");
+  EXPECT_EQ(check::readerOf(expected, "uMap"), "") << "another part's";
+  EXPECT_EQ(check::readerOf(expected, "uOther"), "");
+
+  trace::Trace trace = drawing();
+  EXPECT_THAT(check::bindingForTheWindow(expected, 3, trace), IsEmpty());
+  trace.passes.back().framebuffer = 0;
+  for (trace::SampleRecord& sample : trace.samples)
+    std::snprintf(sample.uniform, sizeof sample.uniform, "uLevel");
+  const auto binding = check::bindingForTheWindow(expected, 3, trace);
+  EXPECT_EQ(binding, std::set<std::string>{"m.3"});
+}
+
 TEST(CheckState, GuessesAboutSamplersOfOtherPartsAreNotTold) {
   check::Expected expected;
   expected.samplers = {{{"uReflection", {}}}, {{"uReflection", {}}, {"uScene", {}}}};
