@@ -180,6 +180,7 @@ Assignment Assignment::load(const fs::path& folder) {
     assignment.title = inWords(from.at("title"));
     assignment.files = from.at("files");
     assignment.optionalFiles = from.value("files_optional", std::vector<std::string>{});
+    assignment.drawsTogether = from.value("together", true);
     for (const json& part : from.at("parts")) assignment.parts.push_back(readPart(part));
     assignment.folder = folder;
     requireDifferentIds(assignment);

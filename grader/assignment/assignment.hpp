@@ -61,6 +61,7 @@ struct Assignment {
   std::vector<std::string> files;         ///< what a student edits
   std::vector<std::string> optionalFiles; ///< patterns such as "*.vert" that an upload may add
   std::vector<Part> parts;                ///< a single one may have the assignment's own ID
+  bool drawsTogether = true;              ///< may one picture show the effects of all parts?
   std::filesystem::path folder;           ///< where it was read from
 
   /// Has it one part alone, under its own ID? Its handout is then README.md.

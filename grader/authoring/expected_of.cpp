@@ -451,7 +451,8 @@ void updateExpected(const Target& target, const fs::path& solutions, const fs::p
   };
   for (const Part& part : target.parts) update(part, {part});
   // Who is to do one part looks at it in a folder in which the others may not be done.
-  if (target.parts.size() > 1) update(check::togetherOf(target.assignment), target.parts);
+  if (target.parts.size() > 1 && check::hasTogether(target.assignment))
+    update(check::togetherOf(target.assignment), target.parts);
 }
 
 } // namespace ggrade::authoring

@@ -173,7 +173,12 @@ std::vector<std::string> messagesOf(const grading::Rendering& rendering) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& line) {
     const std::string clean = report::sanitizeLine(line);
-    if (!clean.empty()) addOnce(lines, clean);
+    if (clean.empty()) return;
+    // Below a line of a shader stands a mark under the place that is wrong.
+    if (line.starts_with(' '))
+      lines.push_back(report::sanitize(std::string_view(line).substr(0, 400)));
+    else
+      addOnce(lines, clean);
   };
   std::istringstream output(rendering.happened.output);
   for (std::string line; std::getline(output, line);) add(line);

@@ -69,10 +69,10 @@ struct Expected {
   std::filesystem::path folder; ///< where it was read from
 };
 
-/// Has an assignment several parts, whose effects one picture can show? Where only some are to be
+/// Has an assignment several parts whose effects one picture shows? Where only some are to be
 /// done, the others come filled in.
 inline bool hasTogether(const Assignment& assignment) {
-  return assignment.parts.size() > 1;
+  return assignment.parts.size() > 1 && assignment.drawsTogether;
 }
 /// All of these effects, as a part whose one TODO is begun once every part is done. Its ID, and its
 /// TODO's, is the assignment's.

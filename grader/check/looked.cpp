@@ -128,7 +128,7 @@ std::string headline(const Checked& checked) {
 
 std::string noteOf(const Checked& checked, const Row& row) {
   if (row.state == State::done && !isSeen(checked, row))
-    return say("as far as can be told: no picture shows it by itself");
+    return say("as far as can be told: by itself it changes no picture");
   if (row.state == State::done && !row.showsWith.empty())
     return say("as far as can be told: known mistakes in it show later, the last of them with {}",
                row.showsWith);
@@ -146,7 +146,7 @@ std::string noteOf(const Checked& checked, const Row& row) {
     add(say("no known mistake, and the window doesn't show it yet: wrong, or another "
             "right way"));
   if (row.state == State::maybe)
-    add(!row.seen ? say("no picture shows it by itself, and that of what stands on it is wrong")
+    add(!row.seen ? say("by itself it changes no picture, and that of what stands on it is wrong")
         : std::ranges::count(checked.rows, State::maybe, &Row::state) > 1
             ? say("here, in another step that may be, or outside of the steps")
             : say("here, in another step, or outside of the steps"));
@@ -172,7 +172,7 @@ std::string purposeOf(const Looked& looked, const Row& row) {
     if (item.step == row.todo && item.kind == results::ItemKind::gain)
       titles += (titles.empty() ? "" : "; ") + std::string(words(item.title));
   if (titles.empty()) return std::string(words(todoOf(*looked.part, row.todo).title));
-  if (!isSeen(looked.checked, row)) return say("{} (no picture shows it by itself)", titles);
+  if (!isSeen(looked.checked, row)) return say("{} (by itself it changes no picture)", titles);
   return row.showsWith.empty() ? titles : say("{} (as far as can be told so far)", titles);
 }
 
