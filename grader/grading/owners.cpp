@@ -52,13 +52,10 @@ std::string keyOf(const Target& target, const fs::path& solutionFolder,
 /// The public scene, and those in which another step does the work of one that the public scene
 /// shows.
 ScenePlan scenesOf(const Target& part, const fs::path& solutionFolder) {
-  constexpr std::string_view kTag = "other_steps";
   ScenePlan plan = drawScenes(part, solutionFolder);
   const auto first = plan.scenes.begin() + 1;
   plan.scenes.erase(std::remove_if(first, plan.scenes.end(),
-                                   [&](const SceneCase& scene) {
-                                     return std::ranges::find(scene.tags, kTag) == scene.tags.end();
-                                   }),
+                                   [](const SceneCase& scene) { return !isOfOtherSteps(scene); }),
                     plan.scenes.end());
   return plan;
 }
@@ -69,6 +66,10 @@ bool isOf(const fs::path& file, const std::string& key) {
 }
 
 } // namespace
+
+bool isOfOtherSteps(const SceneCase& scene) {
+  return std::ranges::find(scene.tags, "other_steps") != scene.tags.end();
+}
 
 tape::Tape recordOwn(const Target& target, const Recipe& recipe, const rubric::SceneFolders& scene,
                      const ShaderCache& shaders) {
@@ -124,6 +125,8 @@ void Owners::addText(const std::string& text) {
           changedBy_[{role, unit}][todo] = {share.at("lines"), share.at("shaders")};
       if (known.contains("decided by"))
         for (const json& todo : known.at("decided by")) decidedBy_[{role, unit}].insert(todo);
+      if (known.contains("elsewhere by"))
+        for (const json& todo : known.at("elsewhere by")) elsewhereBy_[{role, unit}].insert(todo);
     }
 }
 
@@ -135,6 +138,10 @@ std::string Owners::text(const std::string& key) const {
       roles[unit.role][unit.name]["without"][todo] = {{"lines", share.lines},
                                                       {"shaders", share.shaders}};
   for (const auto& [unit, todos] : decidedBy_) roles[unit.role][unit.name]["decided by"] = todos;
+  for (const auto& [unit, todos] : elsewhereBy_)
+    if (const auto known = decidedBy_.find(unit);
+        known == decidedBy_.end() || known->second != todos)
+      roles[unit.role][unit.name]["elsewhere by"] = todos;
   std::vector<std::string> groups;
   for (const auto& [role, units] : roles) {
     std::vector<std::string> lines;
@@ -262,11 +269,14 @@ void Owners::learnDeciders(const Target& target, const fs::path& solutionFolder,
       known->second = changed[i].size();
       decided[unit].insert(statements.todoOf(i));
     }
-  for (auto& [unit, todos] : decided) decidedBy_[unit].merge(todos); // of several scenes
+  auto& all = isOfOtherSteps(scene) ? elsewhereBy_ : decidedBy_;
+  for (auto& [unit, todos] : decided) all[unit].merge(todos);
 }
 
-std::set<std::string> Owners::decidersOf(const Unit& unit) const {
+std::set<std::string> Owners::decidersOf(const Unit& unit, bool elsewhere) const {
   if (repair::isShader(unit.name)) return {}; // of these, lines tell
+  if (const auto there = elsewhereBy_.find(unit); elsewhere && there != elsewhereBy_.end())
+    return there->second;
   const auto found = decidedBy_.find(unit);
   return found == decidedBy_.end() ? std::set<std::string>() : found->second;
 }

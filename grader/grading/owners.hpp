@@ -22,6 +22,10 @@ struct NoTape : std::runtime_error {
 tape::Tape recordOwn(const Target& target, const Recipe& recipe, const rubric::SceneFolders& scene,
                      const ShaderCache& shaders);
 
+/// Is the scene tagged as one in which another step does the work of one that the public scene
+/// shows?
+bool isOfOtherSteps(const SceneCase& scene);
+
 class Owners {
 public:
   /// Those of each of the target's parts.
@@ -40,7 +44,8 @@ public:
   /// The TODOs with a statement that decides the unit: without it alone the solution has another,
   /// and no other TODO has one without which so little else is another. None: no statement does,
   /// or it is a shader.
-  std::set<std::string> decidersOf(const repair::Unit& unit) const;
+  /// \param elsewhere is it another in no scene but those of other steps?
+  std::set<std::string> decidersOf(const repair::Unit& unit, bool elsewhere) const;
 
   /// The TODOs without which passes of a role lack their draws.
   std::set<std::string> drawersOf(const std::string& role) const;
@@ -77,6 +82,7 @@ private:
   };
   std::map<repair::Unit, std::map<std::string, Share>> changedBy_;
   std::map<repair::Unit, std::set<std::string>> decidedBy_;
+  std::map<repair::Unit, std::set<std::string>> elsewhereBy_; ///< in scenes of other steps
 };
 
 /// Where those of a part are kept beside its solution.

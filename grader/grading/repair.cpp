@@ -343,7 +343,8 @@ private:
   void blameDeciders(std::vector<ProvedCause>& causes) {
     std::vector<std::set<std::string>> deciders;
     for (ProvedCause& cause : causes) {
-      deciders.push_back(own_.owners().decidersOf({cause.role, cause.unit}));
+      const Unit unit{cause.role, cause.unit};
+      deciders.push_back(own_.owners().decidersOf(unit, isOnlyElsewhere(unit)));
       if (cause.todos.empty()) cause.changedBy = deciders.back();
       if (cause.todos.empty() || cause.isUnseen || deciders.back().empty())
         deciders.back() = cause.todos;
@@ -366,6 +367,15 @@ private:
       std::ranges::set_intersection(cause.todos, proved, std::inserter(both, both.end()));
       if (!both.empty()) cause.todos = both;
     }
+  }
+
+  /// Is it another in no scene but those of other steps?
+  bool isOnlyElsewhere(const Unit& unit) const {
+    return std::ranges::all_of(scenes_, [&](const TapedScene& scene) {
+      return isOfOtherSteps(graded_.scenes[scene.index]) ||
+             std::ranges::find(scene.differences, unit, &repair::Difference::unit) ==
+                 scene.differences.end();
+    });
   }
 
   /// In the worst of the scenes that have it.
