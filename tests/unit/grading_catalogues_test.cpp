@@ -56,6 +56,23 @@ TEST(Owners, OfAWholeAssignmentAreThoseOfItsParts) {
   }
 }
 
+// Counting what is hidden sets anew what counting what is seen has set.
+TEST(Owners, AStepMayDecideElsewhereWhatAnotherDecidesInThePublicScene) {
+  const Target target = findTarget(GGRADE_SOURCE_DIR "/assignments", "shadow_volume");
+  const fs::path solution = GGRADE_SOURCE_DIR "/solutions/shadow_volume";
+  const grading::Owners owners(target, solution);
+  const auto kept = readJson(grading::ownersFile(solution, "shadow_volume"));
+  std::size_t roles = 0;
+  for (const auto& [role, units] : kept.at("units").items()) {
+    const repair::Unit unit{role, "stencil operations"};
+    if (!units.contains(unit.name) || !units.at(unit.name).contains("elsewhere by")) continue;
+    ++roles;
+    EXPECT_EQ(owners.decidersOf(unit, false), std::set<std::string>{"shadow_volume.5"});
+    EXPECT_EQ(owners.decidersOf(unit, true), std::set<std::string>{"shadow_volume.3"});
+  }
+  EXPECT_EQ(roles, 1u);
+}
+
 // Grading learns it else, half a minute for each part.
 TEST_P(Catalogues, WhoseWorkIsWhatIsKeptOfTheFilesThatAreThere) {
   EXPECT_TRUE(grading::areOwnersKept(target_, solution_))
