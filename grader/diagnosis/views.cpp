@@ -117,7 +117,8 @@ std::string firstOf(const Slot& slot) {
       slot.octave > 0    ? say("1/{} of the window's size", 1 << std::min(slot.octave, 20))
       : slot.octave == 0 ? say("the window's size")
                          : say("about {} times the window's size", 1 << std::min(-slot.octave, 20));
-  return slot.depth ? say("the depth texture at {}", size) : say("the texture at {}", size);
+  return slot.depth ? say("the depth texture without objects, at {}", size)
+                    : say("the texture without objects, at {}", size);
 }
 
 } // namespace
