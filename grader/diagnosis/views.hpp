@@ -28,7 +28,8 @@ struct Slot {
   friend auto operator<=>(const Slot&, const Slot&) = default;
 };
 
-/// "the depth texture that objects are drawn into", "the texture without objects, at 1/4 of the window's size".
+/// "the depth texture that objects are drawn into", "the texture without objects, at 1/4 of the
+/// window's size".
 std::string describe(const Slot& slot);
 
 /// A pass's picture, see `reduced`. Depth is stretched as `stretchedDepth` says; of a stencil it
