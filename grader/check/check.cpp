@@ -11,7 +11,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 
 namespace ggrade::check {
 
@@ -400,7 +402,16 @@ private:
   std::string likeliest(std::size_t scene) {
     also_.clear();
     const KnownMistakes known = this->known();
-    const std::vector<const Fault*> faults = known.like(scene);
+    const std::vector<const Fault*> alike = known.like(scene);
+    // Those that show the very same are told apart by what was observed.
+    const auto isObservedOtherwise = [&](const Fault* fault) {
+      return fault->todo != observed_.todo && std::ranges::any_of(alike, [&](const Fault* other) {
+               return other->todo == observed_.todo &&
+                      other->signature.group == fault->signature.group;
+             });
+    };
+    std::vector<const Fault*> faults;
+    std::ranges::remove_copy_if(alike, std::back_inserter(faults), isObservedOtherwise);
     if (faults.empty() || faults.size() > kMostCauses) return {};
     if (faults.size() == 1) {
       checked_.cause = words(faults[0]->title);
