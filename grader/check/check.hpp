@@ -29,9 +29,9 @@ struct Checked {
   std::vector<Row> rows;             ///< no row is `done` or `wrong` if nothing was drawn
   std::string likely; ///< the TODO in whose place the fault most likely is; may be empty
   std::optional<Wrong>
-      firstWrong;    ///< the first wrong picture of a frame, against what should be there now
-  std::string cause; ///< the likeliest one, in words; empty: none is known
-  std::string hint;  ///< what to look at; may be empty
+      firstWrong;      ///< the first wrong picture of a frame, against what should be there now
+  std::string cause;   ///< the likeliest one, in words; empty: none is known
+  std::string hint;    ///< what to look at; may be empty
   std::string misread; ///< a sampler that reads another texture than it should; may be empty
   std::vector<std::string> titles; ///< of several mistakes that look alike; `hint` has them, too
   /// Is this for the student to find out, and told bit by bit? Not what compiler, OpenGL or the

@@ -251,9 +251,10 @@ private:
     std::vector<Looked> all;
     for (const std::size_t i : partsToLookAt()) all.push_back(lookAt(*parts_[i], expected_[i]));
     if (expectedTogether_ && all.size() == parts_.size() &&
-        std::ranges::all_of(all, [](const Looked& looked) { return isFinished(looked.checked); }))
+        std::ranges::all_of(all, [](const Looked& looked) { return isFinished(looked.checked); })) {
       all.push_back(lookAt(together_, *expectedTogether_));
-    if (all.size() > parts_.size()) doubtReader(all);
+      doubtReader(all);
+    }
     report::writeFile(out_, page("ggrade check " + target_.id, all, options_.watch));
     looked_ = std::move(all);
   }

@@ -38,6 +38,11 @@ bool drawsInto(const trace::Trace& trace, const diagnosis::Sampled& size) {
   });
 }
 
+/// What is sampled before this part begins may be another part's, which may not be done.
+bool isOwn(const Expected& expected, const std::string& sampler) {
+  return !expected.samplers[0].contains(sampler);
+}
+
 /// A sampler that doesn't read what it reads in the reference after as many TODOs.
 struct SamplerFault {
   std::string sampler, text;
@@ -59,8 +64,7 @@ std::vector<SamplerFault> samplerFaults(const Expected& expected, std::size_t st
   std::vector<SamplerFault> faults;
   const auto sampled = diagnosis::sampledTextures(trace);
   for (const auto& [sampler, wanted] : expected.samplers[step]) {
-    // What has one before this part begins may have it from another part, which may not be done.
-    if (expected.samplers[0].count(sampler)) continue;
+    if (!isOwn(expected, sampler)) continue;
     const auto found = sampled.find(sampler);
     if (found == sampled.end())
       faults.push_back({sampler, say("The sampler {} reads no texture: does its shader use it, is "
@@ -207,7 +211,7 @@ void dropPointless(std::vector<std::string>& messages, const Expected& expected,
   std::erase_if(messages, [&](const std::string& text) {
     return text.starts_with(perhaps) &&
            std::ranges::none_of(expected.samplers[step], [&](const auto& sampler) {
-             return !expected.samplers[0].contains(sampler.first) && hasWord(text, sampler.first);
+             return isOwn(expected, sampler.first) && hasWord(text, sampler.first);
            });
   });
 }
@@ -258,9 +262,8 @@ Observed observe(const Expected& expected, std::size_t step, const trace::Trace&
       frustum.empty() ? firstTodo(errors, todos, expected, folder) : expected.frustum.todo;
   observed.isSure = !observed.todo.empty() && frustum.empty(); // others may be drawn with
   // Where something is sampled, its size was looked at.
-  const bool knowsSizes = std::ranges::any_of(expected.samplers[step], [&](const auto& sampler) {
-    return !expected.samplers[0].contains(sampler.first);
-  });
+  const bool knowsSizes = std::ranges::any_of(
+      expected.samplers[step], [&](const auto& sampler) { return isOwn(expected, sampler.first); });
   takePlaced(observed, expected, knowsSizes, todos, folder);
   std::size_t first = expected.todos.size() + 1;
   for (const SamplerFault& fault : samplers)
@@ -293,9 +296,8 @@ void observeElsewhere(Observed& observed, const Expected& expected,
 }
 
 std::string readerOf(const Expected& expected, const std::string& sampler) {
-  const bool isOwn =
-      expected.samplers.back().contains(sampler) && !expected.samplers[0].contains(sampler);
-  return isOwn ? expected.todos[since(expected, expected.todos.size(), sampler) - 1] : "";
+  if (!expected.samplers.back().contains(sampler) || !isOwn(expected, sampler)) return {};
+  return expected.todos[since(expected, expected.todos.size(), sampler) - 1];
 }
 
 std::set<std::string> bindingForTheWindow(const Expected& expected, std::size_t step,
@@ -308,6 +310,7 @@ std::set<std::string> bindingForTheWindow(const Expected& expected, std::size_t 
         if (expected.samplers[step].contains(sample.uniform))
           todos.insert(readerOf(expected, sample.uniform));
   }
+  todos.erase(""); // another part's
   return todos;
 }
 

@@ -110,7 +110,8 @@ TEST(CheckHints, AWrongPictureOfNoKnownCauseIsToldAsSuch) {
   unknown.cause.clear();
   unknown.firstWrong.emplace();
   Seen seen(unknown);
-  EXPECT_THAT(seen.at(Level::where), HasSubstr("\nNo mistake that is known at this point shows this picture. Put it"));
+  EXPECT_THAT(seen.at(Level::where),
+              HasSubstr("\nNo mistake that is known at this point shows this picture. Put it"));
   EXPECT_THAT(page("m", {seen.looked}, false),
               HasSubstr("No mistake that is known at this point shows this picture. Put it"));
   EXPECT_THAT(page("m", {Seen(lightWrong()).looked}, false), Not(HasSubstr("No known mistake")));

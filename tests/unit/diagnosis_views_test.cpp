@@ -63,7 +63,8 @@ TEST(DiagnosisViews, APassIsFoundByWhatItIs) {
   const SceneViews quad = views(frames, trace);
   ASSERT_EQ(quad.passes.size(), 1u);
   EXPECT_TRUE(quad.find({false, false, 1, 0})); // 2 pixels of the window's 4
-  EXPECT_EQ(describe(quad.passes[0].slot), "the texture without objects, at 1/2 of the window's size");
+  EXPECT_EQ(describe(quad.passes[0].slot),
+            "the texture without objects, at 1/2 of the window's size");
   EXPECT_TRUE(views({}, trace).passes.empty());
   // What is cleared in a pass of its own shows only where nothing is drawn into it later.
   trace.passes[0].draws = 0;
