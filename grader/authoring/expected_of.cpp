@@ -260,14 +260,16 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
     for (std::size_t i = 0; i < expected.scenes.size(); ++i)
       show(i, [&](const check::Fault& fault) { return isOwn(expected.scenes[i], fault); });
     // What shows in none of these may do so in another TODO's, or in one that wasn't handed out and
-    // is there for its own.
+    // is there for its own. One that is another TODO's, too, tells apart what looks alike
+    // elsewhere.
     for (const bool another : {false, true}) {
       const std::set<std::string> visibleThere = visible;
       for (std::size_t i = 0; finished && i < expected.scenes.size(); ++i) {
         const check::Scene& scene = expected.scenes[i];
         show(i, [&](const check::Fault& fault) {
-          return scene.another == another && !isOwn(scene, fault) &&
-                 (!another || scene.todo == fault.todo || scene.also.count(fault.todo)) &&
+          if (scene.another != another || isOwn(scene, fault)) return false;
+          if (scene.also.count(fault.todo)) return true;
+          return (!another || scene.todo == fault.todo) &&
                  !visibleThere.count(fault.signature.name);
         });
       }

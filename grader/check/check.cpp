@@ -208,7 +208,7 @@ private:
     return todos;
   }
 
-  KnownMistakes known() const { return {expected_, drawn_.shown, drawn_.begun, drawn_.step}; }
+  KnownMistakes known() const { return {expected_, drawn_.everywhere, drawn_.begun, drawn_.step}; }
 
   Suspect suspectInHandedOut(const diagnosis::FirstWrong& first) {
     Suspect suspect;
@@ -228,7 +228,7 @@ private:
       doubtCatalogue();
     suspect.isSure = !checked_.cause.empty() || observed_.isSure;
     suspect.isGuess = checked_.cause.empty();
-    if (suspect.isGuess) suspect.spoiling = known().spoiling(first.slot);
+    if (suspect.isGuess) suspect.spoiling = known().spoiling(first);
     suspect.drawing = drawing(first);
     if ((checked_.cause.empty() || observed_.isSure) && drawn_.begun.count(observed_.todo)) {
       suspect.todo = observed_.todo;

@@ -68,9 +68,17 @@ private:
     if (drawn_.happened.ok()) drawScenes(false);
   }
 
-  /// Nobody needs other scenes where those that were handed out are wrong.
+  /// Others are judged only where those that were handed out are right.
   void drawOthers() {
-    if (drawn_.happened.ok() && windowsPass(expected_, drawn_.shown, drawn_.step)) drawScenes(true);
+    const bool isRight = drawn_.happened.ok() && windowsPass(expected_, drawn_.shown, drawn_.step);
+    if (isRight) drawScenes(true);
+    drawn_.everywhere = drawn_.shown;
+    if (isRight || drawn_.step < expected_.todos.size()) return;
+    grading::inParallel(expected_.scenes.size(), grading::workers(), [&](std::size_t i) {
+      if (drawn_.shown[i]) return;
+      if (const grading::Rendering rendering = render(i); rendering.happened.ok())
+        drawn_.everywhere[i] = viewsOf(rendering);
+    });
   }
 
   /// What somebody has done elsewhere than where it belongs, or left out, shows in its scene.
@@ -141,20 +149,28 @@ private:
     drawn_.endedAt.clear();
   }
 
+  grading::Rendering render(std::size_t i) const {
+    const Scene& scene = expected_.scenes[i];
+    return grading::renderScene(assignment_.id, program_, scene.scene, scene.times,
+                                {work_ / "shaders"}, sandbox::Isolation::none,
+                                grading::gradingRequest(), {}, i == 0);
+  }
+
+  static diagnosis::SceneViews viewsOf(const grading::Rendering& rendering) {
+    return diagnosis::views(rubric::toImages(grading::rawFrames(rendering.capture)),
+                            rendering.capture.trace, true);
+  }
+
   /// Keeps what one scene shows, if it could be drawn.
   grading::Rendering drawScene(std::size_t i) {
-    const Scene& scene = expected_.scenes[i];
     progress_(say("rendering"), i + 1, expected_.scenes.size() + 1);
-    grading::Rendering rendering = grading::renderScene(
-        assignment_.id, program_, scene.scene, scene.times, {work_ / "shaders"},
-        sandbox::Isolation::none, grading::gradingRequest(), {}, i == 0);
+    grading::Rendering rendering = render(i);
     const std::vector<rubric::RawFrame> frames = grading::rawFrames(rendering.capture);
     if (!frames.empty()) {
       drawn_.windows[i] = rubric::toImage(frames.front());
       drawn_.vertices[i] = verticesOf(rendering.capture.trace);
     }
-    if (rendering.happened.ok())
-      drawn_.shown[i] = diagnosis::views(rubric::toImages(frames), rendering.capture.trace, true);
+    if (rendering.happened.ok()) drawn_.shown[i] = viewsOf(rendering);
     return rendering;
   }
 

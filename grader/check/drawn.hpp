@@ -23,6 +23,9 @@ struct Drawn {
   std::set<std::string> begun; ///< TODOs, by text and pictures
   std::size_t step = 0;        ///< up to which the program should be right
   Shown shown;
+  /// Likewise, of a finished program in all scenes: where those that were handed out are wrong, the
+  /// others tell apart what looks alike there.
+  Shown everywhere;
   std::vector<Image> windows;          ///< first frames; RGB, empty: none came
   std::vector<std::uint64_t> vertices; ///< of the first frame
   /// What the program and OpenGL said in the public scene, and where it ended early, a line each.

@@ -32,12 +32,13 @@ bool KnownMistakes::isExactly(const Fault& fault, std::size_t scene) const {
   return samePictures(viewsOf(fault, scene), *shown_[scene]);
 }
 
-std::set<std::string> KnownMistakes::spoiling(const std::optional<diagnosis::Slot>& slot) const {
+std::set<std::string> KnownMistakes::spoiling(const diagnosis::FirstWrong& first) const {
   std::set<std::string> todos;
   for (const Fault& fault : expected_.faults)
     if (fault.step == step_ && !isRuledOut(fault) &&
-        std::ranges::any_of(fault.spoils,
-                            [&](const auto& spoiled) { return spoiled.second.first == slot; }))
+        fault.scenes.count(first.scene) == fault.spoils.count(first.scene) &&
+        std::ranges::any_of(
+            fault.spoils, [&](const auto& spoiled) { return spoiled.second.first == first.slot; }))
       todos.insert(fault.todo);
   return todos;
 }

@@ -25,8 +25,9 @@ public:
 
   /// TODOs of those of which, in a program that has come as far, such a picture is the first wrong
   /// one of some scene: that of a pass, or, if nothing, the window. Not those of mistakes that
-  /// spoil a scene, or the window of one, in which this program is right.
-  std::set<std::string> spoiling(const std::optional<diagnosis::Slot>& slot) const;
+  /// spoil a scene, or the window of one, in which this program is right, nor of those that don't
+  /// spoil this one.
+  std::set<std::string> spoiling(const diagnosis::FirstWrong& first) const;
 
   /// TODOs before the last one of those that show nothing of it in the public scene: all is as if
   /// it weren't there.

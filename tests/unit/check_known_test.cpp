@@ -113,12 +113,35 @@ TEST_F(CheckKnown, AMistakeThatWouldSpoilARightSceneSpoilsNothing) {
   const Expected all = load(folder_.path());
   const SceneViews unknown = windowOf(painted(kBothDone, 0.4f, 0.4f, 0.5f, 0.9f, 0.7f));
   const auto spoiling = [&](const Shown& shown) {
-    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling(std::nullopt);
+    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling({});
   };
   EXPECT_THAT(spoiling({unknown, std::nullopt}), ElementsAre("mirror.1", "mirror.2"));
   EXPECT_THAT(spoiling({unknown, unknown}), ElementsAre("mirror.1", "mirror.2"));
   EXPECT_THAT(spoiling({unknown, windowOf(kBothDone)}), ElementsAre("mirror.2"));
-  EXPECT_THAT(KnownMistakes(all, {unknown}, {}, 2).spoiling(diagnosis::Slot{}), testing::IsEmpty());
+  EXPECT_THAT(KnownMistakes(all, {unknown}, {}, 2).spoiling({0, diagnosis::Slot{}}),
+              testing::IsEmpty());
+}
+
+/// One that shows in its own scene alone, of the same pass, doesn't explain the public scene's.
+TEST_F(CheckKnown, AMistakeThatLeavesTheWrongSceneRightIsntMeant) {
+  Expected made = twoSteps();
+  made.scenes.push_back({"the handout's step 2", {}, {0}, "mirror.2", false});
+  for (diagnosis::Run& step : made.steps) step.push_back(step.front());
+  made.reference = made.steps.back();
+  for (Fault& fault : made.faults) {
+    fault.scenes.insert(1);
+    fault.signature.run.push_back(fault.signature.run.front());
+    if (fault.todo == "mirror.2") fault.signature.run[0] = windowOf(kBothDone);
+  }
+  save(made, folder_.path());
+  const Expected all = load(folder_.path());
+  const SceneViews unknown = windowOf(painted(kBothDone, 0.4f, 0.4f, 0.5f, 0.9f, 0.7f));
+  const auto spoiling = [&](std::size_t scene) {
+    const Shown shown{unknown, unknown};
+    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling({scene});
+  };
+  EXPECT_THAT(spoiling(0), ElementsAre("mirror.1"));
+  EXPECT_THAT(spoiling(1), ElementsAre("mirror.1", "mirror.2"));
 }
 
 /// Two may spoil the same pass; one of them spoils the window, too, which is right.
@@ -139,7 +162,7 @@ TEST_F(CheckKnown, AMistakeThatWouldSpoilARightWindowIsntMeant) {
   const Expected all = load(folder_.path());
   const auto spoiling = [&](const SceneViews& window) {
     const Shown shown{withPass(window, 0)};
-    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling(diagnosis::Slot{});
+    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling({0, diagnosis::Slot{}});
   };
   EXPECT_THAT(spoiling(windowOf(kBothDone)), ElementsAre("mirror.2"));
   EXPECT_THAT(spoiling(kWrongEnd), ElementsAre("mirror.1", "mirror.2"));
