@@ -19,12 +19,18 @@ constexpr std::uint64_t kInodeBytes = 1024;
 /// So often is a tree walked that changes meanwhile.
 constexpr int kPasses = 3;
 
-/// A file of /proc, as far as it fits: of the children of one thread more than limits allow.
-std::string readAt(int folder, const std::string& path) {
-  const Descriptor file(openat(folder, path.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file) return {};
+/// So many lists of threads' children are kept open; a run of ours has three threads.
+constexpr std::size_t kMostKept = 16;
+
+Descriptor openAt(int folder, const std::string& path) {
+  return Descriptor(openat(folder, path.c_str(), O_RDONLY | O_CLOEXEC));
+}
+
+/// A file of /proc as it is now, as far as it fits: of the children of one thread more than limits
+/// allow. Empty if it isn't open.
+std::string textOf(const Descriptor& file) {
   std::string text(4096, '\0');
-  const ssize_t count = read(file.get(), text.data(), text.size());
+  const ssize_t count = pread(file.get(), text.data(), text.size(), 0);
   text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
   return text;
 }
@@ -62,13 +68,13 @@ double processorSeconds(std::string_view stat) {
 /// Adds one process. `sharedToo`: count shared memory; inside a namespace that is only files of a
 /// tmpfs, which are counted there, and what the supervisor passed in. False when it is gone.
 bool addProcess(Usage& usage, int proc, const std::string& pid, bool sharedToo) {
-  const std::string status = readAt(proc, pid + "/status");
+  const std::string status = textOf(openAt(proc, pid + "/status"));
   if (status.empty()) return false;
   ++usage.processes;
   for (const char* key : {"\nRssAnon:", "\nVmSwap:", "\nVmPTE:", "\nHugetlbPages:"})
     usage.memoryBytes += kilobytes(status, key);
   if (sharedToo) usage.memoryBytes += kilobytes(status, "\nRssShmem:");
-  usage.cpuSeconds += processorSeconds(readAt(proc, pid + "/stat"));
+  usage.cpuSeconds += processorSeconds(textOf(openAt(proc, pid + "/stat")));
   return true;
 }
 
@@ -101,7 +107,21 @@ void ProcessTree::addFolders(Usage& usage) const {
   }
 }
 
-bool ProcessTree::addProcesses(Usage& usage) const {
+/// A list that is opened anew each time is what a thread that ends takes out of the kernel's cache,
+/// while the process that waits for its program spins until it has: of a run of half a second up to
+/// a quarter of one. One that is open stays.
+std::string ProcessTree::childrenOf(int proc, const std::string& thread) {
+  auto kept = threads_.find(thread);
+  if (kept == threads_.end()) {
+    Descriptor file = openAt(proc, thread + "/children");
+    if (!file || threads_.size() >= kMostKept) return textOf(file);
+    kept = threads_.emplace(thread, Thread{std::move(file)}).first;
+  }
+  kept->second.isListed = true;
+  return textOf(kept->second.children);
+}
+
+bool ProcessTree::addProcesses(Usage& usage) {
   const Descriptor proc(open("/proc", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   bool all = true;
   std::vector<std::string> waiting{std::to_string(root_)};
@@ -115,8 +135,8 @@ bool ProcessTree::addProcesses(Usage& usage) const {
     const std::unique_ptr<DIR, CloseFolder> threads(
         fdopendir(openat(proc.get(), (pid + "/task").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
     while (const dirent* thread = threads ? readdir(threads.get()) : nullptr) {
-      const std::string children =
-          readAt(proc.get(), pid + "/task/" + thread->d_name + "/children");
+      if (thread->d_name[0] == '.') continue;
+      const std::string children = childrenOf(proc.get(), pid + "/task/" + thread->d_name);
       for (std::size_t at = 0, space = 0; (space = children.find(' ', at)) != std::string::npos;
            at = space + 1)
         waiting.push_back(children.substr(at, space - at));
@@ -125,9 +145,10 @@ bool ProcessTree::addProcesses(Usage& usage) const {
   return all;
 }
 
-Usage ProcessTree::measure() const {
+Usage ProcessTree::measure() {
   Usage most;
   if (root_ <= 0) return most;
+  for (auto& [name, thread] : threads_) thread.isListed = false;
   // A process that ends hands its children to init, whose own were perhaps listed before.
   for (int pass = 0; pass < kPasses; ++pass) {
     Usage usage;
@@ -137,6 +158,8 @@ Usage ProcessTree::measure() const {
     most.processes = std::max(most.processes, usage.processes);
     if (all) break;
   }
+  // Another thread may get the number of one that is gone.
+  std::erase_if(threads_, [](const auto& thread) { return !thread.second.isListed; });
   addFolders(most);
   return most;
 }

@@ -5,6 +5,7 @@
 #include "descriptor.hpp"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,12 +29,19 @@ public:
   void openDescendants(pid_t pid) { root_ = pid; }
 
   /// The sum over what lives at this moment. All zero before an `open...` and after the end.
-  Usage measure() const;
+  Usage measure();
 
 private:
   /// False when some process ended meanwhile.
-  bool addProcesses(Usage& usage) const;
+  bool addProcesses(Usage& usage);
   void addFolders(Usage& usage) const;
+  std::string childrenOf(int proc, const std::string& thread);
+
+  struct Thread {
+    Descriptor children; ///< its file of that name in /proc
+    bool isListed = true;
+  };
+  std::map<std::string, Thread> threads_; ///< by PID/task/TID
 
   std::vector<Descriptor> folders_;
   pid_t root_ = 0;

@@ -39,6 +39,12 @@ TEST_P(SandboxMemory, ManySmallProcesses) {
   expectMemoryLimit(run(unhurried(attack("many", {"15", "10"}))));
 }
 
+/// More threads with processes of their own than are kept in sight between two looks.
+TEST_P(SandboxMemory, ManySmallProcessesOfManyThreads) {
+  if (delegated()) return;
+  expectMemoryLimit(run(unhurried(attack("manyThreads", {"9", "15"}))));
+}
+
 TEST_P(SandboxMemory, ProcessesBelowTheLimitLive) {
   if (delegated()) return;
   const Result result = run(attack("many", {"8", "10"}));

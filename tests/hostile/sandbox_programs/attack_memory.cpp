@@ -13,7 +13,9 @@
 #include <sys/sem.h>
 #include <sys/shm.h>
 #include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
+#include <vector>
 
 namespace attacker {
 namespace {
@@ -46,6 +48,17 @@ int manyAttack(const Arguments& arguments) {
     touch(std::stoul(arguments.at(1)));
     hold();
   }
+  hold();
+}
+
+/// The same, each started by a thread of its own.
+int manyThreadsAttack(const Arguments& arguments) {
+  std::vector<std::thread> threads;
+  for (int i = 0; i < std::stoi(arguments.at(0)); ++i)
+    threads.emplace_back([&] {
+      if (fork() == 0) touch(std::stoul(arguments.at(1)));
+      hold();
+    });
   hold();
 }
 
@@ -140,6 +153,7 @@ int floodAttack(const Arguments& arguments) {
 void addMemoryAttacks(Attacks& attacks) {
   attacks.insert({{"plain", plainAttack},
                   {"many", manyAttack},
+                  {"manyThreads", manyThreadsAttack},
                   {"addressSpace", addressSpaceAttack},
                   {"hidden", hiddenAttack},
                   {"fill", fillAttack},
