@@ -260,7 +260,7 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
     for (std::size_t i = 0; i < expected.scenes.size(); ++i)
       show(i, [&](const check::Fault& fault) { return isOwn(expected.scenes[i], fault); });
     // What shows in none of these may do so in another TODO's, or in one that wasn't handed out and
-    // is there for its own. One that is another TODO's, too, tells apart what looks alike
+    // is there for all or its own. One that is another TODO's, too, tells apart what looks alike
     // elsewhere.
     for (const bool another : {false, true}) {
       const std::set<std::string> visibleThere = visible;
@@ -269,7 +269,7 @@ std::vector<check::Fault> faultsOf(const Source& source, const Part& part,
         show(i, [&](const check::Fault& fault) {
           if (scene.another != another || isOwn(scene, fault)) return false;
           if (scene.also.count(fault.todo)) return true;
-          return (!another || scene.todo == fault.todo) &&
+          return (!another || scene.todo.empty() || scene.todo == fault.todo) &&
                  !visibleThere.count(fault.signature.name);
         });
       }

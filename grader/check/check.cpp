@@ -267,7 +267,11 @@ private:
       suspect.also.clear();
       suspect.isExplained = true;
     }
-    const std::string likely = likeliest(first.scene);
+    std::string likely = likeliest(first.scene);
+    for (std::size_t i = 0; i < drawn_.shown.size() && likely.empty(); ++i)
+      if (i != first.scene && drawn_.shown[i] && expected_.scenes[i].another &&
+          !diagnosis::sameWindows(*drawn_.shown[i], expected_.steps[drawn_.step][i]))
+        likely = likeliest(i);
     resemblance_.clear(); // what is only like a mistake may as well be a number typed in
     if (!checked_.cause.empty()) {
       suspect.todo = likely;

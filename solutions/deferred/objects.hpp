@@ -48,7 +48,7 @@ inline const char* materialOf(int i) {
   return kMaterials[std::size_t(1 + (i + i / 3) % 3)];
 }
 
-// The object's own colour: eight that can be told apart. Metal has none but its material's.
+// The object's own colour: eight that can be told apart. The material's is multiplied by it.
 inline glm::vec3 colorOf(int i) {
   const int k = i + 1;
   return {(k & 1) * 0.4f + 0.4f, (k & 2) * 0.2f + 0.4f, (k & 4) * 0.1f + 0.4f};
