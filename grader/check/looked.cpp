@@ -176,10 +176,33 @@ std::string purposeOf(const Looked& looked, const Row& row) {
   return row.showsWith.empty() ? titles : say("{} (as far as can be told so far)", titles);
 }
 
+namespace {
+
+/// What one scene has otherwise than another: `size [300,400]`, `camera.near 0.6`.
+std::vector<std::string> settingsThatDiffer(const nlohmann::json& from, const nlohmann::json& scene,
+                                            const std::string& within = "") {
+  std::vector<std::string> all;
+  for (const auto& [key, value] : scene.items()) {
+    const auto before = from.find(key);
+    if (before != from.end() && *before == value) continue;
+    if (before != from.end() && value.is_object() && before->is_object()) {
+      const auto inner = settingsThatDiffer(*before, value, within + key + '.');
+      all.insert(all.end(), inner.begin(), inner.end());
+    } else {
+      all.push_back(fmt::format("{}{} {}", within, key, value.dump()));
+    }
+  }
+  return all;
+}
+
+} // namespace
+
 std::string sceneOf(const Looked& looked, std::size_t scene) {
   const Scene& of = looked.expected->scenes[scene];
   if (of.another)
-    return say("in another scene: {}", shown(sceneFile(looked.expected->folder, scene)));
+    return say("in another scene, with {}: {}",
+               fmt::join(settingsThatDiffer(looked.expected->scenes[0].scene, of.scene), ", "),
+               shown(sceneFile(looked.expected->folder, scene)));
   if (of.todo.empty()) return {};
   const auto& todos = looked.part->todos;
   return say("in the scene of the handout's step {}",

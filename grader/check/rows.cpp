@@ -201,6 +201,27 @@ public:
     return shares.both > kOwn * shares.wrong;
   }
 
+  /// The first step that is the last to change a picture of its own scene, handed out, which isn't
+  /// right: the mistake is made in it, or before.
+  std::size_t firstWrongInOwnScene(std::size_t should) const {
+    for (std::size_t k = 1; k <= should; ++k)
+      for (std::size_t c = 0; c < cells_.size(); ++c) {
+        const Scene& scene = expected_.scenes[cells_[c].scene];
+        if (!scene.another && scene.todo == expected_.todos[k - 1] && !same(c, should) &&
+            isLastToChange(c, k, should))
+          return k;
+      }
+    return steps();
+  }
+
+  /// The first picture of the cell's scene that isn't as after step `should` and is drawn; else
+  /// that cell.
+  std::size_t firstWrongThere(std::size_t cell, std::size_t should) const {
+    for (std::size_t c = 0; c < cell; ++c)
+      if (isOneScene(c, cell) && ofProgram(cells_[c]) && !same(c, should)) return c;
+    return cell;
+  }
+
   /// The first picture that isn't as after step `should`; of scenes that were not handed out only
   /// windows count. A little may be another right way, where another scene has much more.
   std::optional<std::size_t> firstWrong(std::size_t should) const {
@@ -276,7 +297,7 @@ public:
           const Suspect& suspect)
       : expected_(expected), begun_(begun), suspect_(suspect), judging_(expected, shown),
         should_(expectedStep(expected, begun)), windows_(judging_.withTheseWindows()),
-        wrong_(judging_.firstWrong(should_)) {}
+        wrong_(judging_.firstWrong(should_)), last_(judging_.firstWrongInOwnScene(should_)) {}
 
   std::vector<Row> run() {
     judgeEach();
@@ -343,7 +364,7 @@ private:
       if (isNamed(row) && row.state != State::notBegun &&
           (suspect_.isExplained || windows_.empty()) && (k <= gap_ || suspect_.isSure))
         return &row;
-      if (row.state != State::waits || k > gap_ || !first_[k]) continue;
+      if (row.state != State::waits || k > std::min(gap_, last_) || !first_[k]) continue;
       const double overlap = isLastOfUnfinished(k) ? 1 : judging_.overlap(*first_[k], k, should_);
       if (!culprit || *first_[k] < earliest || (*first_[k] == earliest && overlap > most)) {
         culprit = &row;
@@ -355,12 +376,13 @@ private:
     // Then it is the one that changes what is wrong in that, or the last one.
     if (windows_.empty() && gap_ > should_ && (!culprit || (wrong_ && *wrong_ < earliest))) {
       most = culprit ? kOwn : -1;
-      for (std::size_t k = 1; k < judging_.steps(); ++k) {
+      const std::size_t cell = wrong_ ? judging_.firstWrongThere(*wrong_, should_) : 0;
+      for (std::size_t k = 1; k < judging_.steps() && k <= last_; ++k) {
         Row& row = all_[k - 1];
         if (row.state != State::waits && row.state != State::done) continue;
         if (isInAnother() && !judging_.isUsedThere(*wrong_, k, should_)) continue;
         const bool isLast = isLastOfUnfinished(k) && row.state == State::waits;
-        const double overlap = isLast ? 1 : wrong_ ? judging_.overlap(*wrong_, k, should_) : 0;
+        const double overlap = isLast ? 1 : wrong_ ? judging_.overlap(cell, k, should_) : 0;
         if (overlap < most) continue;
         culprit = &row;
         most = overlap;
@@ -376,7 +398,7 @@ private:
   /// Those that draw what is wrong, and that nothing else shows to be right.
   std::set<std::string> drawing() const {
     std::set<std::string> todos;
-    for (std::size_t k = 1; wrong_ && k <= std::min(should_, gap_); ++k) {
+    for (std::size_t k = 1; wrong_ && k <= std::min({should_, gap_, last_}); ++k) {
       const Row& row = all_[k - 1];
       // What the handed-out scenes show tells nothing of another one, nor the public one of those
       // that are there for a TODO.
@@ -513,6 +535,7 @@ private:
   std::size_t should_;               ///< steps that the program should have done
   std::vector<std::size_t> windows_; ///< steps after which all windows are the program's
   std::optional<std::size_t> wrong_; ///< the first picture that isn't as it should be
+  std::size_t last_;                 ///< no later step makes what is wrong
   std::size_t gap_ = 0;              ///< the first step that was left out
   std::vector<Row> all_;
   std::vector<std::optional<std::size_t>> first_{std::nullopt}; ///< wrong picture, of each step

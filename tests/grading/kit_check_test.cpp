@@ -401,7 +401,7 @@ TEST_F(Check, ANumberTypedInShowsInAnotherScene) {
                     HasSubstr("  mirror.7          maybe wrong"),
                     hasLineAt(submission.path() / "tile.frag"),
                     HasSubstr(": warning: mirror.7 may be wrong: "),
-                    HasSubstr("(in another scene: "),
+                    testing::ContainsRegex("[(]in another scene, with .*size \\[[0-9]+,[0-9]+\\]"),
                     HasSubstr(file.relative_path().string() + ")"),
                     HasSubstr("For a hint: add --hint\n"), Not(HasSubstr("Likely cause"))));
   const Ended asked = Running(command(submission.path(), {"--hint"})).wait(100);

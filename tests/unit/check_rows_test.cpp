@@ -288,6 +288,24 @@ TEST(CheckRows, AStepWhoseMistakesSpoilTheWindowIsInDoubtThoughItsPictureIsRight
 }
 
 /// The first one shows nothing by itself, and the second may lack what that should have made.
+/// No later step changes it there.
+TEST(CheckRows, WhatIsWrongInAStepsOwnSceneIsNoLaterStepsFault) {
+  Expected all = expected();
+  all.scenes.push_back({"the handout's step 3", {}, {0}, "m.3", false});
+  const Image own = painted(kWindow, 0, 0, 1, 0.3f, 0.5f);
+  for (std::size_t k = 0; k < all.steps.size(); ++k)
+    all.steps[k].push_back(seen(kEmpty, k < 3 ? kWindow : own));
+  all.reference = all.steps.back();
+  const SceneViews wrong = seen(kTexture, painted(kClipped, 0, 0, 1, 1, 0.5f));
+  Suspect suspect;
+  suspect.spoiling = {"m.2", "m.3", "m.4", "m.5"};
+  const auto told = [&](const Image& window) {
+    return letters(rows(all, {wrong, seen(kEmpty, window)}, first(5), suspect));
+  };
+  EXPECT_EQ(told(own), "dmmmm");
+  EXPECT_EQ(told(kWindow), "dmmdt");
+}
+
 TEST(CheckRows, WhatShowsNothingMayStandOnWhatWasNotSeen) {
   const Expected all = expected();
   Suspect suspect{"m.2", true};
