@@ -302,14 +302,31 @@ std::set<std::string> Owners::drawersOf(const std::string& role) const {
   return todos;
 }
 
+bool Owners::isWrittenOtherwise(const std::string& todo, const repair::Difference& difference,
+                                const std::vector<repair::Difference>& all) const {
+  const auto& [role, name] = difference.unit;
+  if (!difference.adds || !name.starts_with("shader ")) return difference.adds;
+  bool known = false;
+  for (const auto& [unit, todos] : changedBy_) {
+    if (unit.role != role || !todos.contains(todo) || !unit.name.starts_with("function ") ||
+        !unit.name.ends_with(" in " + name.substr(name.find(' ') + 1)))
+      continue;
+    known = true;
+    const auto function = std::ranges::find(all, unit, &repair::Difference::unit);
+    if (function != all.end() && function->adds) return true;
+  }
+  return !known;
+}
+
 std::set<std::string> Owners::missingIn(const repair::Difference& difference,
+                                        const std::vector<repair::Difference>& all,
                                         const repair::UnitsInDraws& compared) const {
   std::set<std::string> missing;
   if (difference.isUnseen) missing = ownersOf(difference);
   if (const auto own = changedBy_.find(difference.unit); own != changedBy_.end())
     for (const auto& [todo, share] : own->second)
-      if (!share.lines.empty() && !difference.adds &&
-          std::ranges::includes(difference.lacks, share.lines))
+      if (!share.lines.empty() && std::ranges::includes(difference.lacks, share.lines) &&
+          !isWrittenOtherwise(todo, difference, all))
         missing.insert(todo);
   if (difference.isUnseen || difference.unit.name.starts_with("shader "))
     missing.merge(broughtWith(difference.unit.role, compared));

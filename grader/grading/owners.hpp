@@ -52,8 +52,10 @@ public:
 
   /// The TODOs of whose work the submission has nothing that could be judged where this is put
   /// right: because it isn't there, or comes with the reference's draws and shaders.
+  /// \param all what differs besides in that scene
   /// \param compared units that both have
   std::set<std::string> missingIn(const repair::Difference& difference,
+                                  const std::vector<repair::Difference>& all,
                                   const repair::UnitsInDraws& compared) const;
 
 private:
@@ -69,6 +71,10 @@ private:
   /// What differs from the reference before a step and doesn't after it is this step's work.
   void addStep(const std::string& todo, const repair::Comparison& before,
                const repair::Comparison& after);
+  /// Does anything stand in the place of a TODO's lines? Of a whole shader: in the functions that
+  /// are another one without it.
+  bool isWrittenOtherwise(const std::string& todo, const repair::Difference& difference,
+                          const std::vector<repair::Difference>& all) const;
   /// Of the passes of a role, what the submission has nowhere.
   std::set<std::string> broughtWith(const std::string& role,
                                     const repair::UnitsInDraws& compared) const;

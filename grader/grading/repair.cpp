@@ -220,7 +220,7 @@ private:
       if (all.size() >= kMostTried || std::ranges::find(already, one.unit) != already.end())
         continue;
       all.push_back(one.unit);
-      missing.merge(own_.owners().missingIn(one, scene.compared));
+      missing.merge(own_.owners().missingIn(one, scene.differences, scene.compared));
     }
     // Where the work of two steps lacks, no unit alone does.
     const bool mayBeOne = !already.empty() || missing.size() < 2;
@@ -317,7 +317,7 @@ private:
           {one.passes, unit.role, unit.name, own_.owners().ownersOf(one), one.isUnseen});
       // A hidden scene's numbers come through uniforms; the first scene is the public one.
       if (!unit.name.starts_with("uniform ") || scene.index == 0) causes.back().own = one.own;
-      missing_.merge(own_.owners().missingIn(one, scene.compared));
+      missing_.merge(own_.owners().missingIn(one, scene.differences, scene.compared));
     }
     std::set<std::set<std::string>> works;
     for (const ProvedCause& cause : causes) works.insert(cause.todos);
@@ -350,6 +350,7 @@ private:
         deciders.back() = cause.todos;
     }
     for (std::size_t i = 0; i < causes.size(); ++i) {
+      if (causes[i].unit.starts_with("shader ")) continue; // all whose lines it brings
       std::set<std::string> lacking; // of those that it may be, by other causes
       for (std::size_t k = 0; k < causes.size(); ++k)
         if (k != i)

@@ -3,6 +3,8 @@
 
 #include "tool.hpp"
 
+#include "grading/catalogue.hpp"
+
 #include <gmock/gmock.h>
 
 using namespace tool;
@@ -113,6 +115,56 @@ INSTANTIATE_TEST_SUITE_P(Of, LongGaps,
                            std::ranges::replace(name, '.', '_');
                            return name;
                          });
+
+/// Steps that are still as handed out are given nothing where another one is put right.
+class LongUnfinished : public testing::TestWithParam<const char*> {};
+
+TEST_P(LongUnfinished, EarnNoMoreWithAMistake) {
+  const std::string part = GetParam();
+  const ggrade::Target target = ggrade::findTarget(kSource / "assignments", part);
+  const fs::path solutions = kSource / "solutions" / target.assignment.id;
+  const ggrade::grading::Catalogue catalogue =
+      ggrade::grading::loadCatalogue(target.assignment, target.parts.front(), solutions, solutions);
+  ggrade::grading::Recipe recipe{solutions, {}, {}};
+  recipe.filled.emplace();
+  for (const ggrade::Part& one : target.assignment.parts)
+    for (const ggrade::Todo& todo : one.todos)
+      if (one.id != part) recipe.filled->insert(todo.id);
+  const auto score = [&](const std::vector<fs::path>& patches) {
+    const TemporaryFolder files;
+    ggrade::grading::writeFiles(target.assignment, {solutions, patches, recipe.filled},
+                                files.path());
+    return gradePart(part, files.path(), {.repair = true}).score();
+  };
+  int tried = 0;
+  for (const ggrade::Todo& todo : target.parts.front().todos) {
+    recipe.filled->insert(todo.id);
+    const double right = score({});
+    for (const ggrade::grading::Mistake& mistake : catalogue.mistakes) {
+      if (mistake.step != todo.id || mistake.outcome != ggrade::results::Outcome::graded) continue;
+      try {
+        EXPECT_LE(score({mistake.patch}), right + 0.01) << todo.id << ": " << mistake.name;
+      } catch (const ggrade::UsageError&) {
+        continue; // it needs another step's lines
+      }
+      ++tried;
+      break;
+    }
+  }
+  EXPECT_GE(tried, 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, LongUnfinished,
+                         testing::Values("mirror", "shadow", "bloom", "shadow_volume", "targets",
+                                         "figure", "ssao"),
+                         [](const auto& one) { return std::string(one.param); });
+
+/// The occlusion's fragment shader holds the work of four steps.
+TEST(Repair, AWholeShaderIsTheWorkOfAllStepsInIt) {
+  Submission submission = Submission::firstSteps(1, "ssao");
+  submission.replace("gbuffer.glsl", "ndc.y / uProjection", "-ndc.y / uProjection");
+  EXPECT_NEAR(gradePart("ssao", submission, {.repair = true}).score(), 0, 0.01);
+}
 
 TEST(LongRepair, AClassIsRepaired) {
   const TemporaryFolder folder;
