@@ -48,7 +48,8 @@ TEST(LongRepair, AStateThatIsLeftCostsOnceAndNoMoreThanTen) {
   EXPECT_THAT(result.causes[0].todos, IsEmpty());
   EXPECT_NEAR(lostInAll(result), 10, 0.01);
   ASSERT_EQ(result.diagnoses.size(), 1U);
-  EXPECT_THAT(result.diagnoses[0].text, HasSubstr("all is right: the viewport."));
+  EXPECT_THAT(result.diagnoses[0].text,
+              HasSubstr("all is right: the viewport (yours: 0, 0, 480, 480)."));
 }
 
 TEST(Repair, ALineOfAShaderCostsTheStepThatWritesIt) {
