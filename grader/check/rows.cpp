@@ -201,14 +201,14 @@ public:
     return shares.both > kOwn * shares.wrong;
   }
 
-  /// The first step that is the last to change a picture of its own scene, handed out, which isn't
-  /// right: the mistake is made in it, or before.
+  /// The first step that is the last to change a picture of the first frame of its own scene,
+  /// handed out, which isn't right: the mistake is made in it, or before.
   std::size_t firstWrongInOwnScene(std::size_t should) const {
     for (std::size_t k = 1; k <= should; ++k)
       for (std::size_t c = 0; c < cells_.size(); ++c) {
         const Scene& scene = expected_.scenes[cells_[c].scene];
-        if (!scene.another && scene.todo == expected_.todos[k - 1] && !same(c, should) &&
-            isLastToChange(c, k, should))
+        if (!scene.another && scene.todo == expected_.todos[k - 1] && cells_[c].frame == 0 &&
+            !same(c, should) && isLastToChange(c, k, should))
           return k;
       }
     return steps();

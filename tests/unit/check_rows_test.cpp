@@ -304,6 +304,12 @@ TEST(CheckRows, WhatIsWrongInAStepsOwnSceneIsNoLaterStepsFault) {
   };
   EXPECT_EQ(told(own), "dmmmm");
   EXPECT_EQ(told(kWindow), "dmmdt");
+  // What a later frame shows may be what a later step left behind.
+  all.scenes[1].times = {0, 1};
+  for (diagnosis::Run& step : all.steps) step[1].windows.push_back(step[1].windows[0]);
+  SceneViews later = seen(kEmpty, own);
+  later.windows.push_back(diagnosis::reduced(kWindow, 3));
+  EXPECT_EQ(letters(rows(all, {wrong, later}, first(5), suspect)), "dmmmm");
 }
 
 TEST(CheckRows, WhatShowsNothingMayStandOnWhatWasNotSeen) {
