@@ -77,7 +77,8 @@ private:
     grading::inParallel(expected_.scenes.size(), grading::workers(), [&](std::size_t i) {
       if (drawn_.shown[i]) return;
       if (const grading::Rendering rendering = render(i); rendering.happened.ok())
-        drawn_.everywhere[i] = viewsOf(rendering);
+        drawn_.everywhere[i] = diagnosis::views(
+            rubric::toImages(grading::rawFrames(rendering.capture)), rendering.capture.trace, true);
     });
   }
 
@@ -156,11 +157,6 @@ private:
                                 grading::gradingRequest(), {}, i == 0);
   }
 
-  static diagnosis::SceneViews viewsOf(const grading::Rendering& rendering) {
-    return diagnosis::views(rubric::toImages(grading::rawFrames(rendering.capture)),
-                            rendering.capture.trace, true);
-  }
-
   /// Keeps what one scene shows, if it could be drawn.
   grading::Rendering drawScene(std::size_t i) {
     progress_(say("rendering"), i + 1, expected_.scenes.size() + 1);
@@ -170,7 +166,8 @@ private:
       drawn_.windows[i] = rubric::toImage(frames.front());
       drawn_.vertices[i] = verticesOf(rendering.capture.trace);
     }
-    if (rendering.happened.ok()) drawn_.shown[i] = viewsOf(rendering);
+    if (rendering.happened.ok())
+      drawn_.shown[i] = diagnosis::views(rubric::toImages(frames), rendering.capture.trace, true);
     return rendering;
   }
 

@@ -308,9 +308,7 @@ bool Owners::isWrittenOtherwise(const std::string& todo, const repair::Differenc
   if (!difference.adds || !name.starts_with("shader ")) return difference.adds;
   bool known = false;
   for (const auto& [unit, todos] : changedBy_) {
-    if (unit.role != role || !todos.contains(todo) || !unit.name.starts_with("function ") ||
-        !unit.name.ends_with(" in " + name.substr(name.find(' ') + 1)))
-      continue;
+    if (unit.role != role || repair::shaderOf(unit.name) != name || !todos.contains(todo)) continue;
     known = true;
     const auto function = std::ranges::find(all, unit, &repair::Difference::unit);
     if (function != all.end() && function->adds) return true;

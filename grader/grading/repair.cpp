@@ -263,10 +263,8 @@ private:
 
   /// Does a wider unit replace it anyway, of those that are no wider than `width`?
   static bool isWithinWider(const Unit& unit, const std::vector<Unit>& all, int width) {
-    const std::size_t stage = unit.name.rfind(" in ");
-    return width == kWidths - 1 && unit.name.starts_with("function ") &&
-           std::ranges::find(all, Unit{unit.role, "shader " + unit.name.substr(stage + 4)}) !=
-               all.end();
+    return width == kWidths - 1 &&
+           std::ranges::find(all, Unit{unit.role, repair::shaderOf(unit.name)}) != all.end();
   }
 
   /// Leaves out what a right set doesn't need.

@@ -50,6 +50,12 @@ struct Comparison {
 inline constexpr int kWidths = 3;
 int widthOf(const std::string& unit);
 
+/// The whole shader that a function is in: "shader fragment" of "function main in fragment". Empty:
+/// it is no function.
+inline std::string shaderOf(const std::string& unit) {
+  return unit.starts_with("function ") ? "shader " + unit.substr(unit.rfind(" in ") + 4) : "";
+}
+
 /// Is it a shader, or a function of one?
 inline bool isShader(const std::string& unit) {
   return unit.starts_with("function ") || unit.starts_with("shader ");

@@ -87,19 +87,27 @@ struct Gap {
   double score;
 };
 
+/// A part's score where these of its TODOs are done, all other parts', and these patches applied.
+double scoreOf(const ggrade::Target& target, std::set<std::string> done,
+               const std::vector<fs::path>& patches = {}) {
+  for (const ggrade::Part& part : target.assignment.parts)
+    for (const ggrade::Todo& todo : part.todos)
+      if (part.id != target.id) done.insert(todo.id);
+  const TemporaryFolder files;
+  const fs::path solutions = kSource / "solutions" / target.assignment.id;
+  ggrade::grading::writeFiles(target.assignment, {solutions, patches, done}, files.path());
+  return gradePart(target.id, files.path(), {.repair = true}).score();
+}
+
 class LongGaps : public testing::TestWithParam<Gap> {};
 
 TEST_P(LongGaps, EarnWhatIsDoneBesides) {
   const std::string part = GetParam().todo.substr(0, GetParam().todo.find('.'));
   const ggrade::Target target = ggrade::findTarget(kSource / "assignments", part);
-  ggrade::grading::Recipe recipe{kSource / "solutions" / target.assignment.id, {}, {}};
-  recipe.filled.emplace();
-  for (const ggrade::Part& one : target.assignment.parts)
-    for (const ggrade::Todo& todo : one.todos)
-      if (todo.id != GetParam().todo) recipe.filled->insert(todo.id);
-  const TemporaryFolder files;
-  ggrade::grading::writeFiles(target.assignment, recipe, files.path());
-  EXPECT_NEAR(gradePart(part, files.path(), {.repair = true}).score(), GetParam().score, 0.5);
+  std::set<std::string> done;
+  for (const ggrade::Todo& todo : target.parts.front().todos)
+    if (todo.id != GetParam().todo) done.insert(todo.id);
+  EXPECT_NEAR(scoreOf(target, done), GetParam().score, 0.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, LongGaps,
@@ -126,25 +134,16 @@ TEST_P(LongUnfinished, EarnNoMoreWithAMistake) {
   const fs::path solutions = kSource / "solutions" / target.assignment.id;
   const ggrade::grading::Catalogue catalogue =
       ggrade::grading::loadCatalogue(target.assignment, target.parts.front(), solutions, solutions);
-  ggrade::grading::Recipe recipe{solutions, {}, {}};
-  recipe.filled.emplace();
-  for (const ggrade::Part& one : target.assignment.parts)
-    for (const ggrade::Todo& todo : one.todos)
-      if (one.id != part) recipe.filled->insert(todo.id);
-  const auto score = [&](const std::vector<fs::path>& patches) {
-    const TemporaryFolder files;
-    ggrade::grading::writeFiles(target.assignment, {solutions, patches, recipe.filled},
-                                files.path());
-    return gradePart(part, files.path(), {.repair = true}).score();
-  };
+  std::set<std::string> done;
   int tried = 0;
   for (const ggrade::Todo& todo : target.parts.front().todos) {
-    recipe.filled->insert(todo.id);
-    const double right = score({});
+    done.insert(todo.id);
+    const double right = scoreOf(target, done);
     for (const ggrade::grading::Mistake& mistake : catalogue.mistakes) {
       if (mistake.step != todo.id || mistake.outcome != ggrade::results::Outcome::graded) continue;
       try {
-        EXPECT_LE(score({mistake.patch}), right + 0.01) << todo.id << ": " << mistake.name;
+        EXPECT_LE(scoreOf(target, done, {mistake.patch}), right + 0.01)
+            << todo.id << ": " << mistake.name;
       } catch (const ggrade::UsageError&) {
         continue; // it needs another step's lines
       }

@@ -39,7 +39,8 @@ TEST_P(SandboxMemory, ManySmallProcesses) {
   expectMemoryLimit(run(unhurried(attack("many", {"15", "10"}))));
 }
 
-/// More threads with processes of their own than are kept in sight between two looks.
+/// Each started by a thread of its own; in all more threads than are kept in sight between two
+/// looks.
 TEST_P(SandboxMemory, ManySmallProcessesOfManyThreads) {
   if (delegated()) return;
   expectMemoryLimit(run(unhurried(attack("manyThreads", {"9", "15"}))));

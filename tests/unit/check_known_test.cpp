@@ -25,6 +25,12 @@ const Image kFirstDone = painted(kNothingDone, 0.1f, 0.1f, 0.3f, 0.3f, 0.9f);
 const Image kBothDone = painted(kFirstDone, 0.6f, 0.6f, 0.9f, 0.9f, 0.05f);
 const SceneViews kWrongEnd = windowOf(painted(kBothDone, 0.1f, 0.1f, 0.9f, 0.3f, 0.2f));
 
+/// Of a program in which both steps were begun.
+std::set<std::string> spoiling(const Expected& all, const Shown& shown,
+                               const diagnosis::FirstWrong& first = {}) {
+  return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling(first);
+}
+
 /// Two steps. A mistake of the first one, which shows in it, looks in the end like one of the
 /// second.
 Expected twoSteps() {
@@ -112,12 +118,9 @@ TEST_F(CheckKnown, AMistakeThatWouldSpoilARightSceneSpoilsNothing) {
   save(made, folder_.path());
   const Expected all = load(folder_.path());
   const SceneViews unknown = windowOf(painted(kBothDone, 0.4f, 0.4f, 0.5f, 0.9f, 0.7f));
-  const auto spoiling = [&](const Shown& shown) {
-    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling({});
-  };
-  EXPECT_THAT(spoiling({unknown, std::nullopt}), ElementsAre("mirror.1", "mirror.2"));
-  EXPECT_THAT(spoiling({unknown, unknown}), ElementsAre("mirror.1", "mirror.2"));
-  EXPECT_THAT(spoiling({unknown, windowOf(kBothDone)}), ElementsAre("mirror.2"));
+  EXPECT_THAT(spoiling(all, {unknown, std::nullopt}), ElementsAre("mirror.1", "mirror.2"));
+  EXPECT_THAT(spoiling(all, {unknown, unknown}), ElementsAre("mirror.1", "mirror.2"));
+  EXPECT_THAT(spoiling(all, {unknown, windowOf(kBothDone)}), ElementsAre("mirror.2"));
   EXPECT_THAT(KnownMistakes(all, {unknown}, {}, 2).spoiling({0, diagnosis::Slot{}}),
               testing::IsEmpty());
 }
@@ -136,12 +139,8 @@ TEST_F(CheckKnown, AMistakeThatLeavesTheWrongSceneRightIsntMeant) {
   save(made, folder_.path());
   const Expected all = load(folder_.path());
   const SceneViews unknown = windowOf(painted(kBothDone, 0.4f, 0.4f, 0.5f, 0.9f, 0.7f));
-  const auto spoiling = [&](std::size_t scene) {
-    const Shown shown{unknown, unknown};
-    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling({scene});
-  };
-  EXPECT_THAT(spoiling(0), ElementsAre("mirror.1"));
-  EXPECT_THAT(spoiling(1), ElementsAre("mirror.1", "mirror.2"));
+  EXPECT_THAT(spoiling(all, {unknown, unknown}, {0}), ElementsAre("mirror.1"));
+  EXPECT_THAT(spoiling(all, {unknown, unknown}, {1}), ElementsAre("mirror.1", "mirror.2"));
 }
 
 /// Two may spoil the same pass; one of them spoils the window, too, which is right.
@@ -160,12 +159,9 @@ TEST_F(CheckKnown, AMistakeThatWouldSpoilARightWindowIsntMeant) {
         {todo, "A hint", "", todo, {}, 2, {0}, {todo, todo, {withPass(window, 1)}}});
   save(made, folder_.path());
   const Expected all = load(folder_.path());
-  const auto spoiling = [&](const SceneViews& window) {
-    const Shown shown{withPass(window, 0)};
-    return KnownMistakes(all, shown, {"mirror.1", "mirror.2"}, 2).spoiling({0, diagnosis::Slot{}});
-  };
-  EXPECT_THAT(spoiling(windowOf(kBothDone)), ElementsAre("mirror.2"));
-  EXPECT_THAT(spoiling(kWrongEnd), ElementsAre("mirror.1", "mirror.2"));
+  const diagnosis::FirstWrong pass{0, diagnosis::Slot{}};
+  EXPECT_THAT(spoiling(all, {withPass(windowOf(kBothDone), 0)}, pass), ElementsAre("mirror.2"));
+  EXPECT_THAT(spoiling(all, {withPass(kWrongEnd, 0)}, pass), ElementsAre("mirror.1", "mirror.2"));
 }
 
 } // namespace

@@ -287,7 +287,6 @@ TEST(CheckRows, AStepWhoseMistakesSpoilTheWindowIsInDoubtThoughItsPictureIsRight
   EXPECT_EQ(states(views, first(5), suspect)[1], 'm');
 }
 
-/// The first one shows nothing by itself, and the second may lack what that should have made.
 /// No later step changes it there.
 TEST(CheckRows, WhatIsWrongInAStepsOwnSceneIsNoLaterStepsFault) {
   Expected all = expected();
@@ -312,6 +311,7 @@ TEST(CheckRows, WhatIsWrongInAStepsOwnSceneIsNoLaterStepsFault) {
   EXPECT_EQ(letters(rows(all, {wrong, later}, first(5), suspect)), "dmmmm");
 }
 
+/// The first one shows nothing by itself, and the second may lack what that should have made.
 TEST(CheckRows, WhatShowsNothingMayStandOnWhatWasNotSeen) {
   const Expected all = expected();
   Suspect suspect{"m.2", true};
