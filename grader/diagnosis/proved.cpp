@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 
 namespace ggrade::diagnosis {
 
@@ -22,6 +23,11 @@ bool takes(const std::string& unit, const std::string& word, std::string& rest) 
 
 std::string shaderOf(const std::string& stage) {
   return stage == "vertex" ? say("the vertex shader") : say("the fragment shader");
+}
+
+bool isShader(const std::string& unit) {
+  return std::ranges::any_of(std::array{"function ", "lines ", "shader "},
+                             [&](const char* kind) { return unit.starts_with(kind); });
 }
 
 /// "5, 6, 7": passes as they are counted for people.
@@ -45,6 +51,11 @@ std::string nameOf(const results::ProvedCause& cause) {
   if (takes(unit, "function", rest)) {
     const std::size_t in = rest.rfind(" in ");
     return say("{}() in {}", rest.substr(0, in), shaderOf(rest.substr(in + 4)));
+  }
+  if (takes(unit, "lines", rest)) {
+    const std::size_t of = rest.find(" of "), in = rest.rfind(" in ");
+    return say("what stands below TODO({}) in {}() of {}", rest.substr(0, of),
+               rest.substr(of + 4, in - of - 4), shaderOf(rest.substr(in + 4)));
   }
   if (unit == "viewport") return say("the viewport");
   if (unit == "culling" || unit == "frontFace") return say("which faces are culled");
@@ -95,7 +106,7 @@ std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
                                  "the passes {}, all is right: {}.",
                                  numbersOf(passes), list);
   if (causes[0].todos.empty())
-    text += ' ' + (causes[0].unit.starts_with("function ") || causes[0].unit.starts_with("shader ")
+    text += ' ' + (isShader(causes[0].unit)
                        ? say("The handed-out program has it right: a line of it was changed.")
                        : say("The handed-out program has it right: a call of yours changes it, and "
                              "doesn't put it back."));

@@ -39,13 +39,39 @@ std::size_t stepsDone(const Cause& cause) {
   return done;
 }
 
+/// How many of the first steps earned all of their points: of some, passes alone show it.
+std::size_t stepsEarned(const results::Result& result, const Part& part) {
+  const auto earned = [&](const Todo& todo) {
+    const auto isOf = [&](const results::Item& item) {
+      const auto declared = std::ranges::find(part.items, item.id, &ItemDeclaration::id);
+      return declared != part.items.end() && declared->step == todo.id &&
+             item.kind == results::ItemKind::gain;
+    };
+    return !todo.bonus && std::ranges::any_of(result.items, isOf) &&
+           std::ranges::none_of(result.items, [&](const results::Item& item) {
+             return isOf(item) && report::lost(item) > 1e-6;
+           });
+  };
+  return std::size_t(std::ranges::find_if_not(part.todos, earned) - part.todos.begin());
+}
+
 /// "Step 3" of an unfinished program: the steps before it show all that it shows.
-void describeStep(const Cause& cause, const Part& part, Diagnosis& words) {
-  const std::size_t done = stepsDone(cause);
-  words.step = stepHeading(part, part.todos.at(done).id);
+void describeStep(const Cause& cause, const results::Result& result, const Part& part,
+                  Diagnosis& words) {
+  const std::size_t done = stepsDone(cause), earned = stepsEarned(result, part);
+  words.step =
+      stepHeading(part, part.todos.at(std::min(std::max(done, earned), part.todos.size() - 1)).id);
   const bool nothing =
       cause.id == "step.0" || std::ranges::find(cause.alike, "step.0") != cause.alike.end();
-  if (nothing) {
+  if (nothing && earned > 0) {
+    words.text = earned == 1
+                     ? say("Step 1 is right. In the window nothing of this part can be seen "
+                           "yet.")
+                     : say("Steps 1 to {} are right. In the window nothing of this part can "
+                           "be seen yet.",
+                           earned);
+    if (done > earned) words.text += say(" The first step that shows is step {}.", done + 1);
+  } else if (nothing) {
     words.text = say("Your picture is still the one of the handed-out program: nothing of this "
                      "part can be seen yet.");
     if (done > 0) words.text += say(" The first step that shows is step {}.", done + 1);
@@ -105,7 +131,7 @@ Diagnosis inWords(const Cause& cause, const Graded& graded, const Part& part,
     words.text = diagnosis::describe(*cause.generic, what);
     words.step = stepOfWorst(graded.result, part);
   } else if (cause.id.starts_with("step.")) {
-    describeStep(cause, part, words);
+    describeStep(cause, graded.result, part, words);
   } else {
     describeMistake(cause, part, catalogue, words);
   }
@@ -123,13 +149,15 @@ std::vector<results::ProvedCause> causesIn(const Part& part, const results::Resu
   return causes;
 }
 
-/// Of the first of them that is one step's work, or that one step's calls change; empty: none is.
+/// The first step that one of them is the work of alone, or that alone changes one by its calls;
+/// empty: none is.
 std::string stepOf(const std::vector<results::ProvedCause>& causes, const Part& part) {
   for (const auto steps : {&results::ProvedCause::todos, &results::ProvedCause::changedBy})
-    for (const results::ProvedCause& cause : causes)
-      if (const auto& own = cause.*steps;
-          own.size() == 1 && own.begin()->starts_with(part.id + '.'))
-        return stepHeading(part, *own.begin());
+    for (const Todo& todo : part.todos)
+      if (std::ranges::any_of(causes, [&](const results::ProvedCause& cause) {
+            return cause.*steps == std::set<std::string>{todo.id};
+          }))
+        return stepHeading(part, todo.id);
   return {};
 }
 

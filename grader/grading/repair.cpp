@@ -15,6 +15,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <tuple>
 
 namespace ggrade::grading {
 
@@ -246,7 +247,8 @@ private:
     std::vector<std::size_t> order(ofUnit.size());
     std::iota(order.begin(), order.end(), 0);
     std::ranges::stable_sort(order, {}, [&](std::size_t i) {
-      return std::pair(widthOf(all[i].name), drawn[ofUnit[i]].distance);
+      return std::tuple(widthOf(all[i].name), !stepsIn(all[i], scene).empty(),
+                        drawn[ofUnit[i]].distance);
     });
     for (const std::size_t i : order) {
       Drawn& one = drawn[ofUnit[i]];
@@ -257,14 +259,47 @@ private:
     }
     for (std::size_t width = 0; width < kWidths; ++width)
       if (width + 1 == kWidths || isRight(scene, drawn[ofLevel[width]]))
-        return withoutNeedless(scene, levels[width], already);
+        return narrowed(scene, withoutNeedless(scene, levels[width], already), already);
     return {};
   }
 
   /// Does a wider unit replace it anyway, of those that are no wider than `width`?
   static bool isWithinWider(const Unit& unit, const std::vector<Unit>& all, int width) {
-    return width == kWidths - 1 &&
-           std::ranges::find(all, Unit{unit.role, repair::shaderOf(unit.name)}) != all.end();
+    const auto has = [&](const std::string& wider) {
+      return std::ranges::find(all, Unit{unit.role, wider}) != all.end();
+    };
+    return has(repair::functionOf(unit.name)) ||
+           (width == kWidths - 1 && has(repair::shaderOf(unit.name)));
+  }
+
+  /// What a function is made of that can be put right alone: the lines of each step in it.
+  static std::vector<Unit> stepsIn(const Unit& function, const TapedScene& scene) {
+    std::vector<Unit> steps;
+    for (const repair::Difference& one : scene.differences)
+      if (one.unit.role == function.role && repair::functionOf(one.unit.name) == function.name)
+        steps.push_back(one.unit);
+    return steps;
+  }
+
+  /// The same with one step's lines in the place of their function, where that is enough.
+  std::vector<Unit> narrowed(TapedScene& scene, std::vector<Unit> set,
+                             const std::vector<Unit>& already) {
+    for (Unit& unit : set) {
+      const Unit function = unit;
+      const std::vector<Unit> steps = stepsIn(function, scene);
+      std::vector<std::vector<Unit>> tried;
+      for (const Unit& step : steps) {
+        unit = step;
+        tried.push_back(already);
+        tried.back().insert(tried.back().end(), set.begin(), set.end());
+      }
+      unit = function;
+      if (steps.empty()) continue;
+      std::vector<Drawn> drawn = draw(scene, tried);
+      for (std::size_t i = 0; i < steps.size() && unit == function; ++i)
+        if (isRight(scene, drawn[i])) unit = steps[i];
+    }
+    return set;
   }
 
   /// Leaves out what a right set doesn't need.
@@ -311,8 +346,7 @@ private:
     missing_.clear();
     for (const Unit& unit : found) {
       const auto& [scene, one] = differenceIn(unit);
-      causes.push_back(
-          {one.passes, unit.role, unit.name, own_.owners().ownersOf(one), one.isUnseen});
+      causes.push_back({one.passes, unit.role, unit.name, ownersOf(one, found), one.isUnseen});
       // A hidden scene's numbers come through uniforms; the first scene is the public one.
       if (!unit.name.starts_with("uniform ") || scene.index == 0) causes.back().own = one.own;
       missing_.merge(own_.owners().missingIn(one, scene.differences, scene.compared));
@@ -333,6 +367,21 @@ private:
         for (ProvedCause& cause : causes)
           if (cause.unit == left.unit) cause.todos.clear();
     return causes;
+  }
+
+  /// Of a function in which a step's lines are another cause: that of the rest.
+  std::set<std::string> ownersOf(repair::Difference one, const std::vector<Unit>& found) const {
+    std::set<std::string> others;
+    for (const Unit& unit : found)
+      if (unit.role == one.unit.role && repair::functionOf(unit.name) == one.unit.name) {
+        const repair::Difference& lines = differenceIn(unit).second;
+        for (const std::string& line : lines.lacks) one.lacks.erase(line);
+        others.merge(own_.owners().ownersOf(lines));
+      }
+    const std::set<std::string> all = own_.owners().ownersOf(one);
+    std::set<std::string> rest;
+    std::ranges::set_difference(all, others, std::inserter(rest, rest.end()));
+    return rest.empty() ? all : rest;
   }
 
   /// What is another without a TODO may be so only because that TODO's own work lacks, too: a

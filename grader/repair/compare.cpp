@@ -13,6 +13,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace ggrade::repair {
 
@@ -109,7 +110,8 @@ public:
       if (!difference.patch.empty()) result_.differences.push_back(std::move(difference));
     }
     std::ranges::stable_sort(result_.differences, {}, [this](const Difference& one) {
-      return std::pair(widthOf(one.unit.name), order_.at(one.unit.role));
+      return std::tuple(widthOf(one.unit.name), functionOf(one.unit.name).empty(),
+                        order_.at(one.unit.role));
     });
     return std::move(result_);
   }
@@ -302,21 +304,32 @@ private:
           lacksInAll.insert(function.lines.begin(), function.lines.end());
           continue;
         }
-        const std::string unit = "function " + name + " in " + stage;
-        note(unit);
+        const std::string unit = name + " in " + stage;
+        const auto replace = [&](const std::string& what, const GlslText& text,
+                                 const GlslText& wantedText) {
+          note(what);
+          if (text.words == wantedText.words) return;
+          Difference& difference = found_[{role_, what}];
+          std::ranges::set_difference(wantedText.lines, text.lines,
+                                      std::inserter(difference.lacks, difference.lacks.end()));
+          difference.adds |= !std::ranges::includes(wantedText.lines, text.lines);
+          std::string changed = source;
+          changed.replace(text.begin, text.end - text.begin,
+                          right.substr(wantedText.begin, wantedText.end - wantedText.begin));
+          patch(what, path, blobOf(changed));
+          giveInputs(what, at, own, theirs);
+        };
+        const auto steps = stepsOf(source, found->second), rightSteps = stepsOf(right, function);
+        for (const auto& [todo, text] : rightSteps)
+          if (const auto step = steps.find(todo); step != steps.end())
+            replace("lines " + todo + " of " + unit, step->second, text);
+        const std::string whole = "function " + unit;
+        replace(whole, found->second, function);
         if (found->second.words == function.words) continue;
         differs = true;
-        Difference& difference = found_[{role_, unit}];
-        std::ranges::set_difference(function.lines, found->second.lines,
-                                    std::inserter(difference.lacks, difference.lacks.end()));
+        const Difference& difference = found_[{role_, whole}];
         lacksInAll.insert(difference.lacks.begin(), difference.lacks.end());
-        difference.adds |= !std::ranges::includes(function.lines, found->second.lines);
         addsInAll |= difference.adds;
-        std::string changed = source;
-        changed.replace(found->second.begin, found->second.end - found->second.begin,
-                        right.substr(function.begin, function.end - function.begin));
-        patch(unit, path, blobOf(changed));
-        giveInputs(unit, at, own, theirs);
       }
       if (!differs) continue;
       const std::string unit = "shader " + stage;
@@ -500,8 +513,8 @@ int widthOf(const std::string& unit) {
 
 bool isState(const std::string& unit) {
   return widthOf(unit) == 0 &&
-         std::ranges::none_of(std::array{"function ", "uniform ", "block ", "texture ", "sampler ",
-                                         "attribute ", "copy"},
+         std::ranges::none_of(std::array{"function ", "lines ", "uniform ", "block ", "texture ",
+                                         "sampler ", "attribute ", "copy"},
                               [&](const char* kind) { return unit.starts_with(kind); });
 }
 

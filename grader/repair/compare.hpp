@@ -45,20 +45,28 @@ struct Comparison {
   UnitsInDraws compared;               ///< that both have, different or not
 };
 
-/// Units by how much they replace, from 0 on: values and functions; what is drawn, and into what;
-/// shaders.
+/// Units by how much they replace, from 0 on: values, functions and a step's lines in them; what is
+/// drawn, and into what; shaders.
 inline constexpr int kWidths = 3;
 int widthOf(const std::string& unit);
 
-/// The whole shader that a function is in: "shader fragment" of "function main in fragment". Empty:
-/// it is no function.
-inline std::string shaderOf(const std::string& unit) {
-  return unit.starts_with("function ") ? "shader " + unit.substr(unit.rfind(" in ") + 4) : "";
+/// The function that a step's lines are in: "function main in fragment" of "lines mirror.5 of main
+/// in fragment". Empty: it is none.
+inline std::string functionOf(const std::string& unit) {
+  return unit.starts_with("lines ") ? "function " + unit.substr(unit.find(" of ") + 4) : "";
 }
 
-/// Is it a shader, or a function of one?
+/// The whole shader that a function, or a step's lines, is in: "shader fragment" of "function main
+/// in fragment". Empty: it is neither.
+inline std::string shaderOf(const std::string& unit) {
+  return unit.starts_with("function ") || unit.starts_with("lines ")
+             ? "shader " + unit.substr(unit.rfind(" in ") + 4)
+             : "";
+}
+
+/// Is it a shader, or a part of one?
 inline bool isShader(const std::string& unit) {
-  return unit.starts_with("function ") || unit.starts_with("shader ");
+  return unit.starts_with("shader ") || !shaderOf(unit).empty();
 }
 
 /// Is it a part of OpenGL's state, which stays as it is from one pass to the next?

@@ -71,8 +71,8 @@ std::size_t declarationStart(const std::string& text, std::size_t end) {
 
 } // namespace
 
-std::map<std::string, GlslFunction> functionsOf(const std::string& source) {
-  std::map<std::string, GlslFunction> functions;
+std::map<std::string, GlslText> functionsOf(const std::string& source) {
+  std::map<std::string, GlslText> functions;
   const std::string text = withoutComments(source);
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '{') { // a block or struct at the outermost level
@@ -92,7 +92,7 @@ std::map<std::string, GlslFunction> functionsOf(const std::string& source) {
     while (nameStart > 0 && (std::isalnum(static_cast<unsigned char>(text[nameStart - 1])) ||
                              text[nameStart - 1] == '_'))
       --nameStart;
-    GlslFunction function;
+    GlslText function;
     function.begin = declarationStart(text, nameStart);
     function.end = std::min(closing(text, body, '{', '}') + 1, text.size());
     function.words = wordsOf(text.substr(function.begin, function.end - function.begin));
@@ -104,6 +104,29 @@ std::map<std::string, GlslFunction> functionsOf(const std::string& source) {
     functions.emplace(key, std::move(function));
   }
   return functions;
+}
+
+std::map<std::string, GlslText> stepsOf(const std::string& source, const GlslText& function) {
+  static const std::string kMark = "TODO(";
+  const std::string text = withoutComments(source);
+  const auto find = [&](std::size_t from) {
+    std::size_t at = source.find(kMark, from);
+    while (at < function.end && text[at] != ' ') at = source.find(kMark, at + 1); // no comment
+    return std::min(at, function.end);
+  };
+  std::map<std::string, GlslText> steps;
+  for (std::size_t at = find(function.begin), next; at < function.end; at = next) {
+    next = find(at + 1);
+    const std::size_t name = at + kMark.size();
+    const std::size_t close = source.find(')', name);
+    const auto [step, isNew] =
+        steps.try_emplace(source.substr(name, close - name), GlslText{at, next, {}, {}});
+    if (!isNew) return {};
+    step->second.words = wordsOf(text.substr(at, next - at));
+    step->second.lines = linesIn(text, at, next);
+  }
+  if (steps.size() < 2) steps.clear();
+  return steps;
 }
 
 std::string restOf(const std::string& source) {

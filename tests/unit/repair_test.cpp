@@ -30,6 +30,14 @@ std::vector<std::string> names(const Comparison& comparison) {
   return all;
 }
 
+/// As the reference, but its first pass is drawn with another shader.
+tape::Tape withShader(const std::string& source) {
+  tape::Tape other = reference();
+  other.blobs.push_back(blob(source));
+  other.commands[3]["program"]["stages"][0]["blob"] = 3;
+  return other;
+}
+
 json sampled(int image, int filter = 9729) {
   return {{"unit", 0}, {"target", 3553}, {"image", image}, {"minFilter", filter}};
 }
@@ -67,17 +75,50 @@ TEST(Repair, NamesPassAndUnitAndPatchesThem) {
 }
 
 TEST(Repair, AFunctionIsAUnitAndSoIsTheShader) {
-  tape::Tape submission = reference();
   std::string source = kShader;
   source.replace(source.find("p.z < uBias"), 11, "p.z > uBias");
-  submission.blobs.push_back(blob(source));
-  submission.commands[3]["program"]["stages"][0]["blob"] = 3;
-  const Comparison comparison = compare(submission, reference());
+  const Comparison comparison = compare(withShader(source), reference());
   ASSERT_THAT(names(comparison),
               ElementsAre("0 function visibility in fragment", "0 shader fragment"));
   const json patched = comparison.tape.commands.patch(comparison.differences[0].patch);
   const std::size_t changed = patched[4]["program"]["stages"][0]["blob"];
   EXPECT_EQ(comparison.tape.blobs.at(changed), blob(kShader));
+}
+
+/// A shader whose main() has the work of two steps.
+std::string twoSteps(const std::string& first, const std::string& second,
+                     const std::string& mark = "TODO(a.2)") {
+  return "out vec4 o;\nvoid main() {\n  float l = 0.5;\n  // TODO(a.1): add\n  " + first +
+         "\n  // " + mark + ": twice\n  " + second + "\n  o = vec4(l);\n}\n";
+}
+
+TEST(Repair, AStepsLinesInAFunctionOfSeveralStepsAreAUnit) {
+  // The second step is written in another way, the first is wrong.
+  const Comparison comparison = compare(withShader(twoSteps("l += 3;", "l = l + l;")),
+                                        withShader(twoSteps("l += 1;", "l *= 2;")));
+  ASSERT_THAT(names(comparison),
+              ElementsAre("0 lines a.1 of main in fragment", "0 lines a.2 of main in fragment",
+                          "0 function main in fragment", "0 shader fragment"));
+  const Difference& first = comparison.differences[0];
+  EXPECT_THAT(first.lacks, ElementsAre("l+=1;"));
+  EXPECT_TRUE(first.adds);
+  EXPECT_EQ(functionOf(first.unit.name), comparison.differences[2].unit.name);
+  EXPECT_EQ(shaderOf(first.unit.name), comparison.differences[3].unit.name);
+  const auto drawnWith = [&](const json& commands) {
+    return comparison.tape.blobs.at(commands[4]["program"]["stages"][0]["blob"]);
+  };
+  json patched = comparison.tape.commands.patch(first.patch);
+  EXPECT_EQ(drawnWith(patched), blob(twoSteps("l += 1;", "l = l + l;")));
+  // Both together are the function, which comes after them.
+  patched = patched.patch(comparison.differences[1].patch);
+  patched = patched.patch(comparison.differences[2].patch);
+  EXPECT_EQ(drawnWith(patched), blob(twoSteps("l += 1;", "l *= 2;")));
+}
+
+TEST(Repair, WithoutTheCommentsOfItsStepsAFunctionIsOne) {
+  EXPECT_THAT(names(compare(withShader(twoSteps("l += 3;", "l *= 2;", "twice")),
+                            withShader(twoSteps("l += 1;", "l *= 2;")))),
+              ElementsAre("0 function main in fragment", "0 shader fragment"));
 }
 
 TEST(Repair, CommentsAndSpacesAreNoDifference) {
@@ -347,11 +388,23 @@ TEST(Repair, FunctionsOfAShader) {
   const auto functions = functionsOf(kShader);
   EXPECT_THAT(functions, UnorderedElementsAre(Key("visibility"), Key("main")));
   const std::string source = kShader;
-  const GlslFunction& one = functions.at("visibility");
+  const GlslText& one = functions.at("visibility");
   EXPECT_TRUE(source.substr(one.begin).starts_with("float visibility"));
   EXPECT_EQ(source[one.end - 1], '}');
   EXPECT_EQ(one.words, "float visibility(vec3 p){if(p.z<uBias){return 1.0;}return 0.0;}");
   EXPECT_EQ(restOf(source), "#version 410 core uniform float uBias;out vec4 oColor;");
+}
+
+TEST(Repair, StepsOfAFunction) {
+  const auto of = [](const std::string& source) {
+    return stepsOf(source, functionsOf(source).at("main"));
+  };
+  EXPECT_THAT(of(twoSteps("l += 1;", "l *= 2;")), UnorderedElementsAre(Key("a.1"), Key("a.2")));
+  EXPECT_EQ(of(twoSteps("l += 1;", "l *= 2;")).at("a.2").words, "l*=2;o=vec4(l);}");
+  EXPECT_THAT(of(twoSteps("", "", "TODO(a.1)")), IsEmpty()) << "one twice";
+  EXPECT_THAT(of(twoSteps("", "", "more")), IsEmpty()) << "one alone";
+  EXPECT_THAT(of("void main() { // TODO(\n}"), IsEmpty());
+  EXPECT_THAT(of("void main() { f(TODO(a)); g(TODO(b)); }"), IsEmpty()) << "no comments";
 }
 
 TEST(Repair, OverloadedAndBrokenSources) {
