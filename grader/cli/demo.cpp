@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <iostream>
 
@@ -116,13 +117,26 @@ void gradeExamples(const Assignment& assignment, const fs::path& solutions,
   }
 }
 
-void demo(const std::string& outText, bool asJson) {
+/// Those of these assignments, or of all.
+std::vector<Assignment> assignmentsOf(const std::vector<std::string>& ids) {
+  if (ids.empty()) return loadAssignments(assignmentsFolder());
+  std::vector<Assignment> some;
+  for (const std::string& id : ids) {
+    Assignment assignment = findTarget(assignmentsFolder(), id).assignment;
+    if (std::ranges::find(some, assignment.id, &Assignment::id) == some.end())
+      some.push_back(std::move(assignment));
+  }
+  return some;
+}
+
+void demo(const std::vector<std::string>& ids, const std::string& outText, bool asJson) {
+  const std::vector<Assignment> assignments = assignmentsOf(ids);
   const fs::path out = outputFolder(outText);
   requireSandbox();
   Progress progress("demo");
   grading::TemporaryFolder work(fs::absolute(out).lexically_normal().parent_path());
   std::vector<Ended> ended;
-  for (const Assignment& assignment : loadAssignments(assignmentsFolder())) {
+  for (const Assignment& assignment : assignments) {
     const fs::path solutions = solutionFolder(assignment.id);
     gradeExamples(assignment, solutions, examples(assignment, solutions), work.path(), ended,
                   std::ref(progress));
@@ -164,14 +178,16 @@ void addDemo(CLI::App& app) {
   auto* command = app.add_subcommand(
       "demo", "Grades the bundled example submissions and writes a page about them");
   struct Options {
+    std::vector<std::string> ids;
     std::string out = "out/demo";
     bool json = false;
   };
   auto options = std::make_shared<Options>();
+  command->add_option("ID", options->ids, "The examples of these assignments (default: of all)");
   command->add_option("--out", options->out, "Where index.html goes")->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON on stdout");
-  command->footer("Example:\n  ggrade demo --out out/demo");
-  command->callback([options] { demo(options->out, options->json); });
+  command->footer("Examples:\n  ggrade demo --out out/demo\n  ggrade demo ssao shadow_volume");
+  command->callback([options] { demo(options->ids, options->out, options->json); });
 }
 
 } // namespace ggrade::cli

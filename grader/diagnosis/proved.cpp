@@ -58,7 +58,7 @@ std::string nameOf(const results::ProvedCause& cause) {
                rest.substr(of + 4, in - of - 4), shaderOf(rest.substr(in + 4)));
   }
   if (unit == "viewport") return say("the viewport");
-  if (unit == "culling" || unit == "frontFace") return say("which faces are culled");
+  if (unit == "culling") return say("which faces are culled");
   if (unit.starts_with("clear")) return say("what is cleared, and to what");
   if (unit == "copy") return say("what is copied, and to where");
   if (unit == "depth") return say("the depth test");

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace ggrade::grading {
 
@@ -149,16 +150,23 @@ std::vector<results::ProvedCause> causesIn(const Part& part, const results::Resu
   return causes;
 }
 
-/// The first step that one of them is the work of alone, or that alone changes one by its calls;
-/// empty: none is.
+/// The first step that one of them is the work of alone, or that alone changes one by its calls: of
+/// what was begun, else of what wasn't. Empty: none is.
 std::string stepOf(const std::vector<results::ProvedCause>& causes, const Part& part) {
-  for (const auto steps : {&results::ProvedCause::todos, &results::ProvedCause::changedBy})
+  const auto first = [&](const auto& stepsOfCause) -> std::string {
     for (const Todo& todo : part.todos)
-      if (std::ranges::any_of(causes, [&](const results::ProvedCause& cause) {
-            return cause.*steps == std::set<std::string>{todo.id};
-          }))
-        return stepHeading(part, todo.id);
-  return {};
+      for (const results::ProvedCause& cause : causes)
+        if (stepsOfCause(cause) == std::set<std::string>{todo.id})
+          return stepHeading(part, todo.id);
+    return {};
+  };
+  const auto begun = [](const results::ProvedCause& cause) {
+    std::set<std::string> todos;
+    std::ranges::set_difference(cause.todos, cause.notBegun, std::inserter(todos, todos.end()));
+    return cause.todos.empty() ? cause.changedBy : todos;
+  };
+  const std::string step = first(begun);
+  return step.empty() ? first([](const results::ProvedCause& cause) { return cause.todos; }) : step;
 }
 
 /// Are all causes the work of steps that the program up to this one hasn't got?

@@ -366,6 +366,9 @@ private:
       if (left.todos.empty() && repair::isState(left.unit))
         for (ProvedCause& cause : causes)
           if (cause.unit == left.unit) cause.todos.clear();
+    for (ProvedCause& cause : causes)
+      std::ranges::set_intersection(cause.todos, missing_,
+                                    std::inserter(cause.notBegun, cause.notBegun.end()));
     return causes;
   }
 
@@ -434,6 +437,11 @@ private:
     throw std::logic_error("a cause that no scene has: " + unit.name);
   }
 
+  /// Is it the item of work that isn't there? What others' in its place show gives it no points.
+  bool isMissing(const results::Item& item) const {
+    return item.kind != results::ItemKind::keep && missing_.contains(charges_.stepOf(item.id));
+  }
+
   /// What is put right, and the items that are judged by that.
   struct Variant {
     std::vector<Unit> repaired;
@@ -446,10 +454,7 @@ private:
                                   const std::vector<ProvedCause>& causes) const {
     std::vector<Variant> variants = {{found, {}}};
     for (const results::Item& item : items_) {
-      // Of work that isn't there, what the reference's in its place shows says nothing.
-      if (report::lost(item) <= 0 ||
-          (item.kind != results::ItemKind::keep && missing_.contains(charges_.stepOf(item.id))))
-        continue;
+      if (report::lost(item) <= 0 || (isMissing(item) && item.earned <= 0)) continue;
       std::vector<Unit> repaired;
       for (std::size_t i = 0; i < causes.size(); ++i)
         if (!charges_.isWorkOf(causes[i], item.id, causes)) repaired.push_back(found[i]);
@@ -462,7 +467,8 @@ private:
   }
 
   /// Each item keeps the better of what it had and what it has when all causes are repaired but
-  /// those that are its own work. False: a scene needs more than `found`, which now has that, too.
+  /// those that are its own work; the worse, where there is no such work. False: a scene needs more
+  /// than `found`, which now has that, too.
   bool settle(std::vector<Unit>& found) {
     const std::vector<ProvedCause> causes = causesOf(found);
     const std::vector<Variant> variants = variantsOf(found, causes);
@@ -499,7 +505,9 @@ private:
   void keepBetter(const results::Item& again, const std::vector<ProvedCause>& causes) {
     const auto item = std::ranges::find(items_, again.id, &results::Item::id);
     if (item == items_.end() || !again.judged) return;
-    if (!takeBetter(*item, again)) return; // scenes that weren't drawn again have no credit
+    // What it earned may be by another fault, not by work.
+    if (!(isMissing(*item) ? takeWorse(*item, again) : takeBetter(*item, again)))
+      return; // scenes that weren't drawn again have no credit
     if (report::lost(*item) <= 0) item->cause = item->step = "";
     item->repaired.clear();
     for (const ProvedCause& cause : causes)

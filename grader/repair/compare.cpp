@@ -210,7 +210,7 @@ private:
       if (key.starts_with("stencil")) unit = "stencil";
       if (key.starts_with("polygonOffset")) unit = "polygonOffset";
       if (key.starts_with("depth") && key != "depthClamp") unit = "depth";
-      if (key == "cull" || key == "cullFace") unit = "culling";
+      if (key == "cull" || key == "cullFace" || key == "frontFace") unit = "culling";
       if (key == "scissor" || key == "scissorTest") unit = "scissor";
       const std::string path = pointer({std::to_string(i), "state", key});
       if (unit == "stencil")

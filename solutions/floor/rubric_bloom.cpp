@@ -30,6 +30,8 @@ namespace {
 constexpr float kReach = 10.0f / 255;
 /// Share of wrong pixels at which a pass, or the picture, has nothing left.
 constexpr double kNothingOfPass = 0.15, kNothingOfPicture = 0.25;
+/// Light that differs by this share, in all, is right; and has nothing left.
+constexpr double kFreeGain = 0.05, kNothingOfGain = 0.3;
 /// A picture as right as this is made by passes that are right, in whatever way.
 constexpr double kRightPicture = 0.9;
 
@@ -64,19 +66,55 @@ Mask halo(const View& view, std::size_t frame) {
                         kReach);
 }
 
+/// How much light bloom adds in all, as a share of what it adds in the reference. Where either one
+/// ends at 1 nothing can be told.
+double addedLight(const Image& image, const Image& reference, const Image& without,
+                  const Mask& region) {
+  double own = 0, wanted = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x)
+      for (int c = 0; region.at(x, y) && c < 3; ++c) {
+        if (std::max(image.at(x, y, c), reference.at(x, y, c)) >= 1) continue;
+        own += double(image.at(x, y, c)) - double(without.at(x, y, c));
+        wanted += double(reference.at(x, y, c)) - double(without.at(x, y, c));
+      }
+  return wanted > 0 ? own / wanted : 1;
+}
+
+/// Are the first levels those of the reference but for a factor? Then its filter is ours, and only
+/// our picture is right.
+bool isScaled(const View& view) {
+  const std::vector<Level>&own = pyramidOf(view).levels, &wanted = referencePyramid(view).levels;
+  const double ratio = compareLight(own.at(0).down, wanted.at(0).down, 1).ratio;
+  if (ratio <= 0 || std::abs(ratio - 1) < kFreeGain) return false;
+  for (std::size_t k = 0; k < std::min<std::size_t>(2, wanted.size()); ++k)
+    if (compareLight(own.at(k).down, wanted.at(k).down, ratio).wrongShare >= kNothingOfPass)
+      return false;
+  return true;
+}
+
 /// The picture against the reference with each filter; other weights than ours are as good.
 Verdict picture(const View& view) {
+  const bool scaled = isScaled(view);
   return worstFrame(view, [&](std::size_t i) -> Verdict {
     const Mask region = halo(view, i);
     if (tooSmall(region)) return {1, gg::say("nothing glows in this frame")};
     CompareOptions options;
     options.mask = &region;
     std::vector<const Image*> right{&view.scene.reference.at(i)};
-    for (const char* filter : kFilters) right.push_back(&view.scene.probes.at(filter).at(i));
+    for (const char* filter : kFilters)
+      if (!scaled) right.push_back(&view.scene.probes.at(filter).at(i));
     const Comparison best = compareWithBest(view.frames.at(i), right, options).comparison;
-    return {qualityOf(best.wrongShare, kNothingOfPicture),
-            gg::say("{:.1f}% of the {} pixels that bloom reaches differ{}", 100 * best.wrongShare,
-                    region.count(), densestAt(best.densest))};
+    const Verdict seen{qualityOf(best.wrongShare, kNothingOfPicture),
+                       gg::say("{:.1f}% of the {} pixels that bloom reaches differ{}",
+                               100 * best.wrongShare, region.count(), densestAt(best.densest))};
+    if (!scaled) return seen;
+    const double light =
+        addedLight(view.frames.at(i), *right[0], view.scene.probes.at("no bloom").at(i), region);
+    const double quality =
+        std::clamp((kNothingOfGain - std::abs(light - 1)) / (kNothingOfGain - kFreeGain), 0.0, 1.0);
+    if (quality >= seen.quality) return seen;
+    return {quality, gg::say("bloom adds {:.2f} of the light that it should", light)};
   });
 }
 

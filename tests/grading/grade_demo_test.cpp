@@ -1,4 +1,5 @@
-// `ggrade demo`: every bundled example, graded and told of as it must be.
+// `ggrade demo`: every bundled example, graded and told of as it must be. Those of one assignment
+// here; all of them with --long.
 
 #include "tool.hpp"
 
@@ -6,21 +7,26 @@
 
 using namespace tool;
 using nlohmann::json;
+using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
 
 namespace {
 
-TEST(Demo, ShowsEveryExampleAsItMustEnd) {
+/// \param of an assignment's id; empty: of all
+///   \return how many examples, and how many of them show a mistake of the catalogue
+std::pair<std::size_t, std::size_t> expectExamples(const std::string& of) {
   const TemporaryFolder folder;
-  const Ended ended = runTool({"demo", "--out", folder.path() / "demo"}, {}, 1700);
+  Arguments command = {"demo", "--out", folder.path() / "demo"};
+  if (!of.empty()) command.push_back(of);
+  const Ended ended = runTool(command, {}, 1700);
   EXPECT_EQ(ended.exitCode, 0) << ended.errors;
   const std::string page = read(folder.path() / "demo/index.html");
   std::vector<std::pair<std::string, std::string>> expected;
   std::map<std::string, std::string> mistakes;
   for (const std::string& id : names(kSource / "solutions")) {
     const fs::path examples = kSource / "solutions" / id / "examples";
-    if (!fs::exists(examples)) continue;
+    if (!fs::exists(examples) || (!of.empty() && id != of)) continue;
     std::vector<std::string> targets;
     const json declared = json::parse(read(kSource / "assignments" / id / "assignment.json"));
     for (const json& part : declared.at("parts")) targets.push_back(part.at("id"));
@@ -36,8 +42,6 @@ TEST(Demo, ShowsEveryExampleAsItMustEnd) {
       if (header.contains("Mistake")) mistakes[example] = header["Mistake"];
     }
   }
-  EXPECT_GE(expected.size(), 40u);
-  EXPECT_GE(mistakes.size(), 16u);
   for (const auto& [name, outcome] : expected) {
     EXPECT_THAT(ended.out, ContainsRegex(name + " .*" + outcome)) << name;
     EXPECT_NE(page.find(name + "/index.html"), page.npos) << name;
@@ -55,6 +59,26 @@ TEST(Demo, ShowsEveryExampleAsItMustEnd) {
     }
   }
   EXPECT_THAT(ended.out, HasSubstr((folder.path() / "demo/index.html").string()));
+  EXPECT_EQ(std::ranges::count(ended.out, '\n'), long(expected.size()) + 3) << ended.out;
+  return {expected.size(), mistakes.size()};
+}
+
+TEST(Demo, ShowsEveryExampleOfAnAssignmentAsItMustEnd) {
+  const auto [examples, mistakes] = expectExamples("ssao");
+  EXPECT_GE(examples, 5u);
+  EXPECT_GE(mistakes, 3u);
+}
+
+TEST(LongDemo, ShowsEveryExampleAsItMustEnd) {
+  const auto [examples, mistakes] = expectExamples("");
+  EXPECT_GE(examples, 40u);
+  EXPECT_GE(mistakes, 16u);
+}
+
+TEST(Demo, OfAnotherIsAnErrorThatNamesThem) {
+  const Ended ended = runTool({"demo", "mirorr"});
+  EXPECT_EQ(ended.exitCode, 2);
+  EXPECT_THAT(ended.errors, AllOf(HasSubstr("mirorr"), HasSubstr("mirror")));
 }
 
 } // namespace
