@@ -189,38 +189,22 @@ private:
 
 } // namespace
 
-namespace {
-
-/// Takes over the credits of scenes in which `again` is the better or the worse one.
-bool take(results::Item& item, const results::Item& again, bool better) {
-  const auto isWanted = [better](double theirs, double own) {
-    return better ? theirs > own : theirs < own;
-  };
+bool takeBetter(results::Item& item, const results::Item& again) {
   for (std::size_t i = 0; i < again.credits.size(); ++i)
     for (std::size_t k = 0; k < item.credits.size(); ++k)
       if (item.credits[k].scene == again.credits[i].scene &&
-          isWanted(again.credits[i].credit, item.credits[k].credit)) {
+          item.credits[k].credit < again.credits[i].credit) {
         item.credits[k].credit = again.credits[i].credit;
         item.messages[k] = again.messages[i];
       }
   const double earned =
       rubric::pointsOf(item.kind, item.points, results::creditOf(item.kind, item.credits));
-  if (!isWanted(earned, item.earned)) return false;
+  if (earned <= item.earned) return false;
   item.earned = earned;
   const auto worst = std::ranges::min_element(item.credits, {}, &results::SceneCredit::credit);
   item.message =
       fmt::format("{}: {}", worst->scene, item.messages[std::size_t(worst - item.credits.begin())]);
   return true;
-}
-
-} // namespace
-
-bool takeBetter(results::Item& item, const results::Item& again) {
-  return take(item, again, true);
-}
-
-bool takeWorse(results::Item& item, const results::Item& again) {
-  return take(item, again, false);
 }
 
 int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned threads,

@@ -24,7 +24,4 @@ int carryForward(const Target& target, Judge& judge, Graded& graded, unsigned th
 /// earn more by it? Then its message is that of the scene that is the worst now.
 bool takeBetter(results::Item& item, const results::Item& again);
 
-/// Likewise what is worse.
-bool takeWorse(results::Item& item, const results::Item& again);
-
 } // namespace ggrade::grading

@@ -331,6 +331,20 @@ std::set<std::string> Owners::missingIn(const repair::Difference& difference,
   return missing;
 }
 
+bool Owners::isUntouched(const std::string& todo,
+                         const std::vector<repair::Difference>& differences,
+                         const repair::UnitsInDraws& compared) const {
+  for (const auto& [unit, todos] : changedBy_) {
+    const auto share = todos.find(todo);
+    if (share == todos.end()) continue;
+    const auto found = std::ranges::find(differences, unit, &repair::Difference::unit);
+    if (found == differences.end() ? compared.contains(unit)
+                                   : !std::ranges::includes(found->lacks, share->second.lines))
+      return false;
+  }
+  return true;
+}
+
 std::set<std::string> Owners::broughtWith(const std::string& role,
                                           const repair::UnitsInDraws& compared) const {
   std::set<std::string> brought, seen;

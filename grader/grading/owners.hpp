@@ -57,6 +57,9 @@ public:
   std::set<std::string> missingIn(const repair::Difference& difference,
                                   const std::vector<repair::Difference>& all,
                                   const repair::UnitsInDraws& compared) const;
+  /// Is nothing of a TODO's work there, in any unit that it is the work of?
+  bool isUntouched(const std::string& todo, const std::vector<repair::Difference>& differences,
+                   const repair::UnitsInDraws& compared) const;
 
 private:
   Owners() = default;

@@ -437,11 +437,6 @@ private:
     throw std::logic_error("a cause that no scene has: " + unit.name);
   }
 
-  /// Is it the item of work that isn't there? What others' in its place show gives it no points.
-  bool isMissing(const results::Item& item) const {
-    return item.kind != results::ItemKind::keep && missing_.contains(charges_.stepOf(item.id));
-  }
-
   /// What is put right, and the items that are judged by that.
   struct Variant {
     std::vector<Unit> repaired;
@@ -454,7 +449,10 @@ private:
                                   const std::vector<ProvedCause>& causes) const {
     std::vector<Variant> variants = {{found, {}}};
     for (const results::Item& item : items_) {
-      if (report::lost(item) <= 0 || (isMissing(item) && item.earned <= 0)) continue;
+      // Of work that isn't there, what the reference's in its place shows says nothing.
+      if (report::lost(item) <= 0 ||
+          (item.kind != results::ItemKind::keep && missing_.contains(charges_.stepOf(item.id))))
+        continue;
       std::vector<Unit> repaired;
       for (std::size_t i = 0; i < causes.size(); ++i)
         if (!charges_.isWorkOf(causes[i], item.id, causes)) repaired.push_back(found[i]);
@@ -467,7 +465,7 @@ private:
   }
 
   /// Each item keeps the better of what it had and what it has when all causes are repaired but
-  /// those that are its own work; the worse, where there is no such work. False: a scene needs more
+  /// those that are its own work. False: a scene needs more
   /// than `found`, which now has that, too.
   bool settle(std::vector<Unit>& found) {
     const std::vector<ProvedCause> causes = causesOf(found);
@@ -498,16 +496,29 @@ private:
       for (const results::Item& again : k == 0 ? allRepaired : judged(k, items))
         if (std::ranges::find(items, again.id) != items.end()) keepBetter(again, causes);
     }
+    takeFromUntouched();
     charges_.settle(items_, before, causes);
     return true;
+  }
+
+  /// What is seen of a step of which nothing is written is another one's work, or a fault's.
+  void takeFromUntouched() {
+    for (results::Item& item : items_)
+      if (item.kind == results::ItemKind::gain && report::lost(item) > 0 && item.earned > 0 &&
+          missing_.contains(charges_.stepOf(item.id)) &&
+          std::ranges::all_of(scenes_, [&](const TapedScene& scene) {
+            return own_.owners().isUntouched(charges_.stepOf(item.id), scene.differences,
+                                             scene.compared);
+          })) {
+        item.earned = 0;
+        for (results::SceneCredit& one : item.credits) one.credit = 0;
+      }
   }
 
   void keepBetter(const results::Item& again, const std::vector<ProvedCause>& causes) {
     const auto item = std::ranges::find(items_, again.id, &results::Item::id);
     if (item == items_.end() || !again.judged) return;
-    // What it earned may be by another fault, not by work.
-    if (!(isMissing(*item) ? takeWorse(*item, again) : takeBetter(*item, again)))
-      return; // scenes that weren't drawn again have no credit
+    if (!takeBetter(*item, again)) return; // scenes that weren't drawn again have no credit
     if (report::lost(*item) <= 0) item->cause = item->step = "";
     item->repaired.clear();
     for (const ProvedCause& cause : causes)

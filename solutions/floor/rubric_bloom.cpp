@@ -81,14 +81,14 @@ double addedLight(const Image& image, const Image& reference, const Image& witho
   return wanted > 0 ? own / wanted : 1;
 }
 
-/// Are the first levels those of the reference but for a factor? Then its filter is ours, and only
-/// our picture is right.
+/// Are all levels those of the reference but for a factor? Then its filter is ours, and only our
+/// picture is right.
 bool isScaled(const View& view) {
   const std::vector<Level>&own = pyramidOf(view).levels, &wanted = referencePyramid(view).levels;
   const double ratio = compareLight(own.at(0).down, wanted.at(0).down, 1).ratio;
   if (ratio <= 0 || std::abs(ratio - 1) < kFreeGain) return false;
-  for (std::size_t k = 0; k < std::min<std::size_t>(2, wanted.size()); ++k)
-    if (compareLight(own.at(k).down, wanted.at(k).down, ratio).wrongShare >= kNothingOfPass)
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    if (compareLight(own.at(k).down, wanted.at(k).down, ratio).wrongShare > kOtherWays)
       return false;
   return true;
 }

@@ -55,12 +55,13 @@ TEST(LongRepair, AStateThatIsLeftCostsOnceAndNoMoreThanTen) {
 TEST(Repair, ALineOfAShaderCostsTheStepThatWritesIt) {
   const Result result = repaired("mirror.vert", "uClip ? world.y : 1", "uClip ? -world.y : 1");
   ASSERT_EQ(result.causes.size(), 1U) << result.causesSought;
-  EXPECT_EQ(result.causes[0].unit, "function main in vertex");
+  EXPECT_EQ(result.causes[0].unit, "lines mirror.6 of main in vertex");
   EXPECT_THAT(result.causes[0].todos, ElementsAre("mirror.6"));
   EXPECT_NEAR(lost(result, "mirror.clip"), 15, 0.01);
   const auto& shading =
       *std::ranges::find(result.items, "mirror.shading", &ggrade::results::Item::id);
-  EXPECT_THAT(shading.repaired, ElementsAre("main() in the vertex shader"));
+  EXPECT_THAT(shading.repaired,
+              ElementsAre("what stands below TODO(mirror.6) in main() of the vertex shader"));
   EXPECT_THAT(shading.message, HasSubstr("reflection's colours: 0.0%"));
   EXPECT_NEAR(lostInAll(result), 15, 0.01);
 }
@@ -164,6 +165,34 @@ TEST(Repair, AWholeShaderIsTheWorkOfAllStepsInIt) {
   Submission submission = Submission::firstSteps(1, "ssao");
   submission.replace("gbuffer.glsl", "ndc.y / uProjection", "-ndc.y / uProjection");
   EXPECT_NEAR(gradePart("ssao", submission, {.repair = true}).score(), 0, 0.01);
+}
+
+/// The sum and the edges stand in one function: whose lines it are, is told.
+TEST(Repair, AStepsLinesCostThatStepWhateverStandsBesideThem) {
+  Submission submission = Submission::firstSteps(4, "targets");
+  submission.replace("compose.frag", "  if (uHasAmbient)", "  else if (uHasAmbient)");
+  // The other step is right, and written in another way.
+  submission.replace("compose.frag", "max(5.0 * light -", "max(light + 4.0 * light -");
+  const Graded graded = gradePart("targets", submission, {.repair = true});
+  EXPECT_NEAR(graded.score(), 87.5, 0.01) << "where something shines and ambient light is there";
+}
+
+/// Both step 4's light and step 5 are wrong: what looks like the light of step 5 earns nothing.
+TEST(Repair, WhatIsNotBegunEarnsNothingByAnotherFault) {
+  Submission submission = Submission::firstSteps(4);
+  submission.replace("mirror.hpp", "scene.light.in(mirroredView)",
+                     "scene.light.in(view).in(mirroredView)");
+  EXPECT_LE(gradePart("mirror", submission, {.repair = true}).score(), 65.01);
+}
+
+/// "restored" by another state than the one that was turned.
+TEST(Repair, AFaceThatStaysTurnedCostsOnce) {
+  Submission submission = Submission::solution();
+  submission.replace("mirror.hpp", "glCullFace(GL_FRONT)", "glFrontFace(GL_CW)");
+  const Result result = repaired(submission);
+  EXPECT_NEAR(lostInAll(result), 10, 0.01);
+  ASSERT_EQ(result.causes.size(), 1U) << result.causesSought;
+  EXPECT_EQ(result.causes[0].unit, "culling");
 }
 
 TEST(LongRepair, AClassIsRepaired) {
