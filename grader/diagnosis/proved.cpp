@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <iterator>
 
 namespace ggrade::diagnosis {
 
@@ -77,7 +79,23 @@ std::string nameOf(const results::ProvedCause& cause) {
   return unit.starts_with("clipDistance") ? say("the clipping") : say("OpenGL's state {}", unit);
 }
 
-std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
+namespace {
+
+/// Is all of it work of which nothing is there yet?
+bool isToDo(const results::ProvedCause& cause) {
+  return !cause.todos.empty() && cause.todos == cause.notBegun;
+}
+
+} // namespace
+
+std::string sentenceOf(const std::vector<results::ProvedCause>& all) {
+  // What is wrong comes before what isn't there.
+  std::vector<results::ProvedCause> causes;
+  std::set<std::string> toDo;
+  std::ranges::copy_if(all, std::back_inserter(causes), std::not_fn(isToDo));
+  for (const results::ProvedCause& cause : all)
+    if (!causes.empty()) toDo.insert(cause.notBegun.begin(), cause.notBegun.end());
+  if (causes.empty()) causes = all;
   // Passes are named once where all causes are in the same.
   const std::set<std::size_t>& passes = causes[0].passes;
   const bool together =
@@ -91,10 +109,13 @@ std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
     return cause.passes.size() == 1 ? say("{} in pass {}", name, *cause.passes.begin() + 1)
                                     : say("{} in the passes {}", name, numbersOf(cause.passes));
   };
-  std::string list = named(causes[0]);
-  for (std::size_t i = 1; i < causes.size(); ++i)
-    list = i + 1 < causes.size() ? say("{}, {}", list, named(causes[i]))
-                                 : say("{} and {}", list, named(causes[i]));
+  std::vector<std::string> names; // what isn't drawn may be so in several places
+  for (const results::ProvedCause& cause : causes)
+    if (std::string name = named(cause); std::ranges::find(names, name) == names.end())
+      names.push_back(std::move(name));
+  std::string list = names[0];
+  for (std::size_t i = 1; i < names.size(); ++i)
+    list = i + 1 < names.size() ? say("{}, {}", list, names[i]) : say("{} and {}", list, names[i]);
   std::string text =
       !together
           ? say("Proved by drawing it again: with nothing changed but this, all is right: {}.",
@@ -105,11 +126,13 @@ std::string sentenceOf(const std::vector<results::ProvedCause>& causes) {
                            : say("Proved by drawing it again: with nothing changed but this in "
                                  "the passes {}, all is right: {}.",
                                  numbersOf(passes), list);
-  if (causes[0].todos.empty())
+  if (std::ranges::all_of(causes, [](const auto& cause) { return cause.todos.empty(); }))
     text += ' ' + (isShader(causes[0].unit)
                        ? say("The handed-out program has it right: a line of it was changed.")
                        : say("The handed-out program has it right: a call of yours changes it, and "
                              "doesn't put it back."));
+  if (!toDo.empty())
+    text += ' ' + say("What isn't begun yet was put in for this: {}.", fmt::join(toDo, ", "));
   return text;
 }
 

@@ -214,6 +214,7 @@ Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes
   Diagnosis words;
   if (!cause.generic && isProved(cause.id)) {
     std::erase_if(cause.alike, [&](const std::string& name) { return !isProved(name); });
+    cause.by = Identified::By::everything; // with it right, all is
     words = inWords(cause, graded, part, catalogue);
     words.beside.push_back(diagnosis::sentenceOf(causes));
     return words;

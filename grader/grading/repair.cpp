@@ -87,8 +87,10 @@ public:
     std::vector<Unit> found = search(0, {});
     if (found.empty()) throw NotRepaired("the passes' differences don't explain it");
     if (const auto causes = causesOf(found);
-        lossy_.size() == 1 && charges_.areWorkOf(causes, lossy_[0]))
+        lossy_.size() == 1 && charges_.areWorkOf(causes, lossy_[0])) {
+      charges_.settle(items_, items_, causes);
       return causes;
+    }
     scenes_.resize(scenes.size());
     inParallel(scenes.size() - 1, threads_,
                [&](std::size_t i) { scenes_[i + 1] = record(scenes[i + 1]); });

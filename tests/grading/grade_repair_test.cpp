@@ -195,6 +195,14 @@ TEST(Repair, AFaceThatStaysTurnedCostsOnce) {
   EXPECT_EQ(result.causes[0].unit, "culling");
 }
 
+/// Where a keep item alone lost points, too.
+TEST(Repair, WhatIsLeftToTheNextFrameCostsNoMoreThanTen) {
+  Submission submission = Submission::firstSteps(6, "shadow_volume");
+  submission.replace("counting.hpp", "    glCullFace(GL_BACK);\n", "");
+  const Graded graded = gradePart("shadow_volume", submission, {.repair = true});
+  EXPECT_NEAR(graded.score(), 90, 0.01);
+}
+
 TEST(LongRepair, AClassIsRepaired) {
   const TemporaryFolder folder;
   Submission submission = Submission::solution();

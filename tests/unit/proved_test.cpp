@@ -15,6 +15,8 @@ TEST(Proved, UnitsInWords) {
   EXPECT_EQ(nameOf({{0}, "", "uniform uView", {}}), "the uniform uView");
   EXPECT_EQ(nameOf({{0}, "", "function visibility in fragment", {}}),
             "visibility() in the fragment shader");
+  EXPECT_EQ(nameOf({{0}, "", "lines mirror.5 of main in vertex", {}}),
+            "what stands below TODO(mirror.5) in main() of the vertex shader");
   EXPECT_EQ(nameOf({{0}, "", "clipDistance0", {}}), "the clipping");
   EXPECT_EQ(nameOf({{0}, "", "lineWidth", {}}), "OpenGL's state lineWidth");
 }
@@ -41,6 +43,34 @@ TEST(Proved, SaysWhereAndWhatWasSpoiled) {
 TEST(Proved, WhatIsNotDrawnIsCalledSo) {
   EXPECT_EQ(nameOf({{0}, "", "draws", {"mirror.4"}}), "what is drawn");
   EXPECT_EQ(nameOf({{}, "", "draws", {"mirror.4"}, true}), "what isn't drawn yet");
+}
+
+TEST(Proved, WhatHasOneNameIsNamedOnce) {
+  EXPECT_EQ(sentenceOf({{{0}, "", "uniform uSize", {"bloom.3"}},
+                        {{}, "bloom.5", "draws", {"bloom.5"}, true},
+                        {{}, "bloom.6", "draws", {"bloom.6"}, true}}),
+            "Proved by drawing it again: with nothing changed but this, all is right: the uniform "
+            "uSize in pass 1 and what isn't drawn yet.");
+}
+
+TEST(Proved, OfAStateThatIsLeftBesideWorkThatLacksNoWordIsOfTheHandedOutProgram) {
+  EXPECT_EQ(sentenceOf({{{1}, "", "viewport", {}}, {{0}, "", "draws", {"mirror.4"}}}),
+            "Proved by drawing it again: with nothing changed but this, all is right: the viewport "
+            "in pass 2 and what is drawn in pass 1.");
+}
+
+TEST(Proved, WhatIsWrongComesBeforeWhatIsNotBegun) {
+  results::ProvedCause lacks{{}, "", "draws", {"mirror.4", "mirror.5"}, true};
+  lacks.notBegun = lacks.todos;
+  results::ProvedCause partly{{1}, "", "shader fragment", {"mirror.3", "mirror.7"}};
+  partly.notBegun = {"mirror.7"};
+  EXPECT_EQ(sentenceOf({lacks, partly}),
+            "Proved by drawing it again: with nothing changed but this in pass 2, all is right: "
+            "the fragment shader. What isn't begun yet was put in for this: mirror.4, mirror.5, "
+            "mirror.7.");
+  EXPECT_EQ(sentenceOf({lacks}),
+            "Proved by drawing it again: with nothing changed but this, all is right: what isn't "
+            "drawn yet.");
 }
 
 TEST(Proved, PassesOfOneRoleAreNamedTogether) {
