@@ -1,9 +1,9 @@
 #include "repair/compare.hpp"
 
 #include "repair/align.hpp"
-#include "repair/glsl.hpp"
 #include "repair/own_value.hpp"
 #include "repair/programs.hpp"
+#include "repair/shaders.hpp"
 
 #include <fmt/format.h>
 
@@ -289,54 +289,17 @@ private:
       if (stages[k].at("stage") != wanted[k].at("stage")) return;
       const std::size_t a = stages[k].at("blob"), b = wanted[k].at("blob");
       const std::string stage = wanted[k].at("stage");
-      note("shader " + stage);
-      const std::string source = textOf(result_.tape.blobs.at(a)),
-                        right = textOf(result_.tape.blobs.at(b));
-      const auto functions = functionsOf(source), rightOnes = functionsOf(right);
       const std::string path = at + pointer({"program", "stages", std::to_string(k), "blob"});
-      bool differs = restOf(source) != restOf(right) || functions.size() != rightOnes.size();
-      std::set<std::string> lacksInAll;
-      bool addsInAll = std::ranges::any_of(
-          functions, [&](const auto& one) { return !rightOnes.contains(one.first); });
-      for (const auto& [name, function] : rightOnes) {
-        const auto found = functions.find(name);
-        if (found == functions.end()) {
-          lacksInAll.insert(function.lines.begin(), function.lines.end());
-          continue;
-        }
-        const std::string unit = name + " in " + stage;
-        const auto replace = [&](const std::string& what, const GlslText& text,
-                                 const GlslText& wantedText) {
-          note(what);
-          if (text.words == wantedText.words) return;
-          Difference& difference = found_[{role_, what}];
-          std::ranges::set_difference(wantedText.lines, text.lines,
-                                      std::inserter(difference.lacks, difference.lacks.end()));
-          difference.adds |= !std::ranges::includes(wantedText.lines, text.lines);
-          std::string changed = source;
-          changed.replace(text.begin, text.end - text.begin,
-                          right.substr(wantedText.begin, wantedText.end - wantedText.begin));
-          patch(what, path, blobOf(changed));
-          giveInputs(what, at, own, theirs);
-        };
-        const auto steps = stepsOf(source, found->second), rightSteps = stepsOf(right, function);
-        for (const auto& [todo, text] : rightSteps)
-          if (const auto step = steps.find(todo); step != steps.end())
-            replace("lines " + todo + " of " + unit, step->second, text);
-        const std::string whole = "function " + unit;
-        replace(whole, found->second, function);
-        if (found->second.words == function.words) continue;
-        differs = true;
-        const Difference& difference = found_[{role_, whole}];
-        lacksInAll.insert(difference.lacks.begin(), difference.lacks.end());
-        addsInAll |= difference.adds;
+      for (ShaderUnit& unit :
+           shaderUnits(stage, textOf(result_.tape.blobs.at(a)), textOf(result_.tape.blobs.at(b)))) {
+        note(unit.name);
+        if (!unit.differs) continue;
+        patch(unit.name, path, blobOf(unit.source));
+        Difference& difference = found_[{role_, unit.name}];
+        difference.lacks.merge(unit.lacks);
+        difference.adds |= unit.adds;
+        giveInputs(unit.name, at, own, theirs);
       }
-      if (!differs) continue;
-      const std::string unit = "shader " + stage;
-      patch(unit, path, b);
-      found_[{role_, unit}].lacks.merge(lacksInAll);
-      found_[{role_, unit}].adds |= addsInAll;
-      giveInputs(unit, at, own, theirs);
     }
   }
 
