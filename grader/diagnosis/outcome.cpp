@@ -144,7 +144,7 @@ std::optional<Diagnosis> outcomeDiagnosis(const results::Result& result, const F
   if (all(facts.frames, [](const FrameFacts& f) { return f.windowDraws == 0; })) {
     found.id = "nothing_drawn_to_the_window";
     if (all(facts.frames, [](const FrameFacts& f) { return f.boundFramebuffer != 0; })) {
-      found.id = "framebuffer_left_bound";
+      found.id = kLeftBound;
       found.text = say(
           "Nothing reaches the window: framebuffer object {} is still bound where the picture is "
           "drawn and shown. Bind 0 again at the end of the pass that bound it.",

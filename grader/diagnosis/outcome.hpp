@@ -26,6 +26,9 @@ struct Facts {
   bool endedItself = false;            ///< the run that ended badly was not ended by a signal
 };
 
+/// Of what is seen where a framebuffer object is still bound as the window is shown.
+inline constexpr const char* kLeftBound = "framebuffer_left_bound";
+
 /// The diagnosis of a result that has an outcome other than `graded`, or whose frames show nothing
 /// because nothing was drawn to the window; nothing where only pictures can tell. `result.outcome`,
 /// `.detail`, `.compilerOutput` and the scenes' messages are read.

@@ -150,23 +150,42 @@ std::vector<results::ProvedCause> causesIn(const Part& part, const results::Resu
   return causes;
 }
 
-/// The first step that one of them is the work of alone, or that alone changes one by its calls: of
-/// what was begun, else of what wasn't. Empty: none is.
-std::string stepOf(const std::vector<results::ProvedCause>& causes, const Part& part) {
-  const auto first = [&](const auto& stepsOfCause) -> std::string {
-    for (const Todo& todo : part.todos)
-      for (const results::ProvedCause& cause : causes)
-        if (stepsOfCause(cause) == std::set<std::string>{todo.id})
-          return stepHeading(part, todo.id);
-    return {};
-  };
-  const auto begun = [](const results::ProvedCause& cause) {
+/// The first of a part's steps that a cause is the work of alone, as `todosOf` has it; empty: none
+/// is.
+template <class TodosOf>
+std::string firstStep(const std::vector<results::ProvedCause>& causes, const Part& part,
+                      TodosOf todosOf) {
+  for (const Todo& todo : part.todos)
+    for (const results::ProvedCause& cause : causes)
+      if (todosOf(cause) == std::set<std::string>{todo.id}) return stepHeading(part, todo.id);
+  return {};
+}
+
+/// Of what was begun: whose work alone one of them is, or whose calls alone change it.
+std::string stepBegun(const std::vector<results::ProvedCause>& causes, const Part& part) {
+  return firstStep(causes, part, [](const results::ProvedCause& cause) {
     std::set<std::string> todos;
     std::ranges::set_difference(cause.todos, cause.notBegun, std::inserter(todos, todos.end()));
     return cause.todos.empty() ? cause.changedBy : todos;
-  };
-  const std::string step = first(begun);
-  return step.empty() ? first([](const results::ProvedCause& cause) { return cause.todos; }) : step;
+  });
+}
+
+/// Likewise, or else of what wasn't.
+std::string stepOf(const std::vector<results::ProvedCause>& causes, const Part& part) {
+  const std::string step = stepBegun(causes, part);
+  return step.empty() ? firstStep(causes, part, [](const auto& cause) { return cause.todos; })
+                      : step;
+}
+
+/// The step before the first one that isn't begun; empty: all are, or none is.
+std::string lastBegun(const std::vector<results::ProvedCause>& causes, const Part& part) {
+  const auto first = std::ranges::find_if(part.todos, [&](const Todo& todo) {
+    return std::ranges::any_of(causes, [&](const results::ProvedCause& cause) {
+      return cause.notBegun.contains(todo.id);
+    });
+  });
+  if (first == part.todos.begin() || first == part.todos.end()) return {};
+  return stepHeading(part, std::prev(first)->id);
 }
 
 /// Are all causes the work of steps that the program up to this one hasn't got?
@@ -261,7 +280,10 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
     if (observed && observed->id != results::name(results::Outcome::glError)) {
       Diagnosis& words = all.emplace_back(*observed);
       words.part = part.id;
-      words.step = stepOf(causes, part);
+      words.step = stepBegun(causes, part);
+      if (words.step.empty() && words.id == diagnosis::kLeftBound)
+        words.step = lastBegun(causes, part); // who isn't begun binds nothing
+      if (words.step.empty()) words.step = stepOf(causes, part);
       if (words.step.empty()) words.step = stepOfWorst(result, part);
       if (!causes.empty()) words.beside.push_back(diagnosis::sentenceOf(causes));
       continue;
