@@ -258,9 +258,19 @@ double textureQuality(const Image& found, const WantedTexture& wanted, std::stri
   return comparison.compared() ? qualityOf(share) : 0;
 }
 
-/// A reflection that is made in another way is right if the floor is, all of it.
+/// Is anything drawn or copied into what isn't the window? If that can't be told: yes.
+bool leavesTheWindow(const trace::Trace& trace) {
+  return trace.passesLost > 0 || trace.stepsLost > 0 ||
+         std::ranges::any_of(trace.passes, [&](const trace::PassRecord& pass) {
+           return pass.kind != std::uint32_t(trace::PassKind::draw) ||
+                  (pass.framebuffer != 0 && trace.drewObjects(pass));
+         });
+}
+
+/// A reflection that is made in another way is right if the floor is, all of it; but not one
+/// without any texture, which is what the handout asks for.
 Verdict orTheFloor(const View& view, const Verdict& best) {
-  if (best.quality >= 1) return best;
+  if (best.quality >= 1 || !leavesTheWindow(view.trace)) return best;
   const Mask& floor = regionsOf(view.scene, 0).floor;
   CompareOptions options;
   options.mask = &floor;

@@ -203,6 +203,55 @@ TEST(Repair, WhatIsLeftToTheNextFrameCostsNoMoreThanTen) {
   EXPECT_NEAR(graded.score(), 90, 0.01);
 }
 
+/// The right picture by a stencil and blending, in the window alone.
+Submission withoutFramebufferObject() {
+  Submission made = Submission::solution();
+  const std::string pass =
+      "mirrorPass(reflection, size, mirrorProgram, projection, view, light, scene, draw);";
+  made.replace("floor.cpp", pass,
+               R"(glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+      glEnable(GL_STENCIL_TEST);
+      glStencilFunc(GL_ALWAYS, 1, 255);
+      glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
+      glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+      glDepthMask(GL_FALSE);
+      tileProgram.use();
+      tileProgram.set("uProjection", projection);
+      tileProgram.set("uView", view);
+      rectangle.draw();
+      glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+      glDepthMask(GL_TRUE);
+      glStencilFunc(GL_EQUAL, 1, 255);
+      glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+      turnCulling();
+      beginClipping(mirrorProgram, true);
+      drawMirrored(mirrorProgram, projection, view, light, scene, draw);
+      endClipping();
+      restoreCulling();
+      glDisable(GL_STENCIL_TEST);
+      glClear(GL_DEPTH_BUFFER_BIT);)");
+  made.replace(
+      "floor.cpp", "    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n    light.load",
+      "    if (!mirror) glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);\n    light.load");
+  made.replace("floor.cpp", "    rectangle.draw();\n\n    if (bloom)",
+               R"(    const glm::vec4 share = scene.material("floor").specular;
+    glBlendColor(share.r, share.g, share.b, 0);
+    glBlendFunc(GL_ONE, GL_CONSTANT_COLOR);
+    if (mirror) glEnable(GL_BLEND);
+    rectangle.draw();
+    glDisable(GL_BLEND);
+
+    if (bloom))");
+  made.replace("tile.frag", "color + uMaterial.specular.rgb * reflected", "color");
+  return made;
+}
+
+TEST(Repair, AReflectionWithoutAFramebufferObjectLacksIt) {
+  const Graded graded = gradePart("mirror", withoutFramebufferObject(), {.repair = true});
+  EXPECT_EQ(graded.earned("mirror.target"), 0);
+  EXPECT_NEAR(graded.score(), 85, 0.01) << "what making it and drawing into it is worth";
+}
+
 TEST(LongRepair, AClassIsRepaired) {
   const TemporaryFolder folder;
   Submission submission = Submission::solution();
