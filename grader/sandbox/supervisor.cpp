@@ -254,6 +254,7 @@ void Supervisor::conclude() {
       result_.signal = report.value;
       result_.wallSeconds = report.wallSeconds;
       result_.detail = describeSignal(report.value);
+      if (report.value == SIGXCPU) result_.end = End::timeLimit; // its own limit, see inside.cpp
       if (report.value == SIGXFSZ)
         result_.detail = say("{}: a file beyond {}", result_.detail, megabytes(limits_.fileBytes));
       break;

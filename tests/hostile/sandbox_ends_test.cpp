@@ -50,6 +50,13 @@ TEST_P(SandboxEnds, Signals) {
   }
 }
 
+/// What the kernel ends a process with that used up its own processor time.
+TEST_P(SandboxEnds, ASignalOfTheProcessorLimitIsTheLimit) {
+  if (delegated()) return;
+  const Result result = run(attack("signal", {std::to_string(SIGXCPU)}));
+  EXPECT_EQ(result.end, End::timeLimit) << describe(result);
+}
+
 TEST_P(SandboxEnds, Faults) {
   if (delegated()) return;
   const std::pair<const char*, int> faults[] = {
