@@ -68,6 +68,22 @@ TEST(Bloom, NegativeLightIsNotLight) {
   EXPECT_LE(graded.earned("bloom.picture"), 10);
 }
 
+/// A sixth too little light is seen in no pixel; all levels have it, and so has the picture.
+TEST(Bloom, AWeightThatIsTypedInIsSeenWithAnotherNumberOfLevels) {
+  const Graded graded = gradeBloom(std::move(Submission::solution().replace(
+      "bright.frag", "color * ratio * uWeight", "color * ratio / 6")));
+  EXPECT_EQ(graded.earned("bloom.bright"), 9);
+  EXPECT_THAT(graded.message("bloom.bright"), HasSubstr("too dark everywhere"));
+}
+
+TEST(Bloom, AChannelThatTheBrightnessLeavesOutIsMissed) {
+  for (const char* two : {"max(color.r, color.b)", "max(color.r, color.g)"}) {
+    const Graded graded = gradeBloom(std::move(
+        Submission::solution().replace("bright.frag", "max(color.r, max(color.g, color.b))", two)));
+    EXPECT_LE(graded.earned("bloom.bright"), 9) << two;
+  }
+}
+
 TEST(Bloom, AddedAfterTheEncodingCostsThePictureOnly) {
   const Graded graded = gradeMistake("bloom_added_encoded");
   EXPECT_EQ(graded.earned("bloom.sum"), 15);

@@ -185,6 +185,16 @@ TEST(Repair, WhatIsNotBegunEarnsNothingByAnotherFault) {
   EXPECT_LE(gradePart("mirror", submission, {.repair = true}).score(), 65.01);
 }
 
+/// No hidden scene's reflection has the size that is typed in.
+TEST(Repair, DepthsOfATypedInSizeCostTheStepThatMakesThem) {
+  Submission submission = Submission::solution();
+  submission.replace("mirror.hpp", "GL_DEPTH_COMPONENT24, size, size",
+                     "GL_DEPTH_COMPONENT24, 512, 512");
+  const Graded graded = gradePart("mirror", submission, {.repair = true});
+  EXPECT_NEAR(graded.score(), 90, 0.01);
+  EXPECT_EQ(graded.earned("mirror.hidden"), 0);
+}
+
 /// "restored" by another state than the one that was turned.
 TEST(Repair, AFaceThatStaysTurnedCostsOnce) {
   Submission submission = Submission::solution();
