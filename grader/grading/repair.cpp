@@ -467,8 +467,7 @@ private:
   }
 
   /// Each item keeps the better of what it had and what it has when all causes are repaired but
-  /// those that are its own work. False: a scene needs more
-  /// than `found`, which now has that, too.
+  /// those that are its own work. False: a scene needs more than `found`, which now has that, too.
   bool settle(std::vector<Unit>& found) {
     const std::vector<ProvedCause> causes = causesOf(found);
     const std::vector<Variant> variants = variantsOf(found, causes);

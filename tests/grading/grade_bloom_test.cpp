@@ -50,7 +50,7 @@ TEST(Bloom, EightBitsMakeTheSceneTheFirstWrongPass) {
   EXPECT_THAT(graded.message("bloom.bright"), HasSubstr("the first wrong pass is the scene"));
   EXPECT_EQ(graded.earned("bloom.picture"), 0);
   // The levels' and the sum's, judged with the reference's bright pass.
-  EXPECT_NEAR(graded.score(), 42, 0.5);
+  EXPECT_NEAR(graded.score(), 42.2, 0.01);
 }
 
 TEST(Bloom, BlendingOffKeepsTheWayDown) {
@@ -64,8 +64,8 @@ TEST(Bloom, BlendingOffKeepsTheWayDown) {
 TEST(Bloom, NegativeLightIsNotLight) {
   const Graded graded = gradeMistake("bloom_threshold_no_max");
   // In one of two scenes nearly all is brighter than the threshold.
-  EXPECT_LE(graded.earned("bloom.bright"), 9);
-  EXPECT_LE(graded.earned("bloom.picture"), 10);
+  EXPECT_EQ(graded.earned("bloom.bright"), 9);
+  EXPECT_EQ(graded.earned("bloom.picture"), 10);
 }
 
 /// A sixth too little light is seen in no pixel; all levels have it, and so has the picture.
@@ -80,7 +80,7 @@ TEST(Bloom, AChannelThatTheBrightnessLeavesOutIsMissed) {
   for (const char* two : {"max(color.r, color.b)", "max(color.r, color.g)"}) {
     const Graded graded = gradeBloom(std::move(
         Submission::solution().replace("bright.frag", "max(color.r, max(color.g, color.b))", two)));
-    EXPECT_LE(graded.earned("bloom.bright"), 9) << two;
+    EXPECT_EQ(graded.earned("bloom.bright"), 9) << two;
   }
 }
 
