@@ -23,7 +23,7 @@
 namespace ggrade::channel {
 
 inline constexpr std::uint32_t kMagic = 0x31434747; ///< "GGC1"
-inline constexpr std::uint32_t kVersion = 4;
+inline constexpr std::uint32_t kVersion = 5;
 inline constexpr std::uint32_t kMaxFrames = 64;
 inline constexpr std::uint32_t kMaxMessages = 64;
 inline constexpr std::uint32_t kMaxReplacements = 32;
@@ -41,12 +41,16 @@ struct PlannedFrame {
   double time;          ///< seconds that glfwGetTime reports in this frame
   std::uint32_t width;  ///< framebuffer pixels, 0 or 1 to kMaxSide
   std::uint32_t height; ///< framebuffer pixels, 0 or 1 to kMaxSide
+  /// 1: drawn for what comes of it later, and not looked at. Nothing is recorded of it, and no
+  /// frame that is counted or numbered for the judging side is this one.
+  std::uint32_t unseen = 0;
+  std::uint32_t reserved = 0;
 };
 
-/// Pixels that take the place of what a pass of frame 0 left in one of its attachments, as soon as
-/// the pass has ended and before its copies are made. The attachment must be a level of a texture,
-/// not multisampled, with all its layers, or encoded as sRGB; of exactly this size and internal
-/// format. Stencil that lies in the same texture as depth is kept.
+/// Pixels that take the place of what a pass of the first seen frame left in one of its
+/// attachments, as soon as the pass has ended and before its copies are made. The attachment must
+/// be a level of a texture, not multisampled, with all its layers, or encoded as sRGB; of exactly
+/// this size and internal format. Stencil that lies in the same texture as depth is kept.
 struct Replacement {
   std::uint32_t pass;       ///< index in the table of passes
   std::uint32_t attachment; ///< 0 to 7 colour, or trace::kDepth
@@ -59,7 +63,7 @@ struct Replacement {
 
 /// What has become of a replacement.
 enum class ReplacementAnswer : std::uint32_t {
-  notReached = 0, ///< there was no such pass in frame 0, or it has not ended
+  notReached = 0, ///< there was no such pass in that frame, or it has not ended
   done,
   otherImage, ///< the attachment is of another kind, size or format; nothing was changed
   refused,    ///< GL did not take the pixels
@@ -87,7 +91,7 @@ enum class MessageKind : std::uint32_t {
 /// Equal messages are stored once; `count` says how often they came.
 struct Message {
   std::uint32_t kind;  ///< MessageKind
-  std::uint32_t frame; ///< frame it came in first, counted from 0
+  std::uint32_t frame; ///< frame it came in first, a seen one if it ever came in one; from 0
   std::uint32_t count;
   std::uint32_t pass; ///< the pass that it came in first, or trace::kNone
   char text[240];     ///< UTF-8, ends in 0
@@ -95,7 +99,7 @@ struct Message {
 
 /// What happened up to one glfwSwapBuffers.
 struct FrameRecord {
-  std::uint32_t written; ///< 1 once the slot's pixels are complete
+  std::uint32_t written; ///< 1 once the slot's pixels are complete; 0 for ever if unseen
   std::uint32_t width;   ///< framebuffer pixels
   std::uint32_t height;
   std::uint32_t windowDraws;      ///< draw calls and blits that reached the window

@@ -87,12 +87,16 @@ Plan makePlan(const std::vector<PlannedFrame>& frames, std::uint64_t maxPixels,
   plan.version = kVersion;
   plan.frameCount = static_cast<std::uint32_t>(frames.size());
   std::uint64_t pixels = 0;
+  bool anySeen = false;
   for (const PlannedFrame& frame : frames) {
     require(std::isfinite(frame.time) && frame.time >= 0, "a time is finite and not negative");
     require(frame.width <= kMaxSide && frame.height <= kMaxSide, "a side has 16384 pixels at most");
+    require(frame.unseen <= 1, "a frame is seen or not");
+    anySeen |= frame.unseen == 0;
     const bool open = frame.width == 0 || frame.height == 0;
     pixels = std::max(pixels, open ? maxPixels : std::uint64_t{frame.width} * frame.height);
   }
+  require(anySeen, "some frame is looked at");
   requirePossible(trace);
   plan.slotBytes = 4 * pixels;
   std::copy(frames.begin(), frames.end(), plan.frames);

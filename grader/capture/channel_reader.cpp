@@ -36,11 +36,18 @@ void readAll(int descriptor, void* to, std::uint64_t bytes, std::uint64_t offset
   }
 }
 
+/// How many of the first `count` frames are looked at.
+std::uint32_t seenOf(const Plan& plan, std::uint32_t count) {
+  const PlannedFrame* const end = plan.frames + std::min(count, plan.frameCount);
+  return count - static_cast<std::uint32_t>(std::count_if(
+                     plan.frames, end, [](const PlannedFrame& one) { return one.unseen != 0; }));
+}
+
 /// `passes`: how many were recorded.
-bool checkMessage(Checker& check, const std::string& at, const Message& from, std::uint32_t passes,
-                  CapturedMessage& to) {
+bool checkMessage(Checker& check, const std::string& at, const Message& from, const Plan& plan,
+                  std::uint32_t passes, CapturedMessage& to) {
   to.kind = static_cast<MessageKind>(from.kind);
-  to.frame = from.frame;
+  to.frame = seenOf(plan, from.frame);
   to.count = from.count;
   // Nothing says which pass where none is recorded.
   to.pass = passes == 0 ? trace::kNone : from.pass;
@@ -104,21 +111,26 @@ std::string check(const Header& from, const Plan& plan, std::uint32_t passes, Ca
   if (!valid) return check.error;
   to.messages.resize(from.messageCount);
   for (std::uint32_t i = 0; i < from.messageCount; ++i) {
-    if (!checkMessage(check, element("messages", i), from.messages[i], passes, to.messages[i]))
+    if (!checkMessage(check, element("messages", i), from.messages[i], plan, passes,
+                      to.messages[i]))
       return check.error;
   }
-  to.frames.resize(from.framesDone);
   for (std::uint32_t i = 0; i < from.framesDone; ++i) {
-    to.frames[i].time = plan.frames[i].time;
     const PlannedFrame& planned = plan.frames[i];
-    if (!checkFrame(check, element("frames", i), from.frames[i], plan.slotBytes, to.frames[i]))
+    if (planned.unseen) {
+      ++to.unseenFrames;
+      continue;
+    }
+    CapturedFrame& frame = to.frames.emplace_back();
+    frame.time = planned.time;
+    if (!checkFrame(check, element("frames", i), from.frames[i], plan.slotBytes, frame))
       return check.error;
     // The library makes every window as large as planned: another size is somebody else's writing.
-    if ((planned.width != 0 && to.frames[i].width != planned.width) ||
-        (planned.height != 0 && to.frames[i].height != planned.height))
-      return element("frames", i) + "size: " + std::to_string(to.frames[i].width) + "x" +
-             std::to_string(to.frames[i].height) + " is not the planned " +
-             std::to_string(planned.width) + "x" + std::to_string(planned.height);
+    if ((planned.width != 0 && frame.width != planned.width) ||
+        (planned.height != 0 && frame.height != planned.height))
+      return element("frames", i) + "size: " + std::to_string(frame.width) + "x" +
+             std::to_string(frame.height) + " is not the planned " + std::to_string(planned.width) +
+             "x" + std::to_string(planned.height);
   }
   return {};
 }
@@ -145,11 +157,13 @@ std::vector<Record> readTable(int descriptor, std::size_t offset, std::uint32_t 
 }
 
 /// The filled rows of every table, unchecked; `counts` has been checked.
-trace::Trace readTables(int descriptor, const Header& header, const trace::Counts& counts) {
+trace::Trace readTables(int descriptor, const Header& header, const Plan& plan,
+                        const trace::Counts& counts) {
   using namespace trace;
   Trace trace;
   for (std::uint32_t i = 0; i < header.framesDone; ++i) {
     const FrameRecord& frame = header.frames[i];
+    if (plan.frames[i].unseen) continue;
     trace.frames.push_back({frame.firstPass, frame.passCount, frame.imageBytes, frame.bufferBytes});
   }
   trace.passes = readTable<PassRecord>(descriptor, offsetof(Tables, passes), counts.passes);
@@ -247,8 +261,9 @@ Capture Channel::read() const {
     return refused(std::move(error));
   }
   if (plan_.trace.passes) {
-    capture.trace = readTables(descriptor_, *header, counts);
-    if (!checkTables(checker, capture.trace, header->framesDone, counts.copyBytes) ||
+    capture.trace = readTables(descriptor_, *header, plan_, counts);
+    const auto frames = static_cast<std::uint32_t>(capture.frames.size());
+    if (!checkTables(checker, capture.trace, frames, counts.copyBytes) ||
         !readAnswers(checker, *header, plan_, capture.trace, capture.replacements)) {
       return refused(checker.error);
     }
@@ -263,10 +278,11 @@ Capture Channel::read() const {
       readAll(descriptor_, capture.tape.data(), capture.tape.size(), tapeOffset(plan_));
     }
   }
-  for (std::uint32_t i = 0; i < capture.frames.size(); ++i) {
-    if (capture.frames[i].written) {
-      readPixels(descriptor_, slotOffset(plan_, i), capture.frames[i]);
-    }
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; i < header->framesDone; ++i) {
+    if (plan_.frames[i].unseen) continue;
+    CapturedFrame& frame = capture.frames[next++];
+    if (frame.written) readPixels(descriptor_, slotOffset(plan_, i), frame);
   }
   return capture;
 }

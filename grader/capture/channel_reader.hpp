@@ -15,7 +15,7 @@ namespace ggrade::channel {
 /// A message with its text as valid UTF-8 without control characters (line feeds and tabs apart).
 struct CapturedMessage {
   MessageKind kind;
-  std::uint32_t frame;
+  std::uint32_t frame; ///< in Capture::frames; of one that came in unseen frames only, the next one
   std::uint32_t count;
   std::uint32_t pass; ///< index in the trace, or trace::kNone
   std::string text;
@@ -45,7 +45,8 @@ struct Capture {
   double shaderSeconds = 0;
   std::string glVersion;
   std::string glRenderer;
-  std::vector<CapturedFrame> frames; ///< as many as were swapped, at most the plan's
+  std::vector<CapturedFrame> frames; ///< as many as were swapped, at most the plan's seen ones
+  std::uint32_t unseenFrames = 0;    ///< that were swapped besides
   std::vector<CapturedMessage> messages;
   std::uint32_t messagesLost = 0;
   trace::Trace trace;                          ///< empty unless the plan asked for passes
@@ -54,8 +55,8 @@ struct Capture {
   std::string tapeRefused;     ///< why there is none, in words that go on "the program ..."
 };
 
-/// Pixels to be put in place of what a pass of frame 0 leaves; Replacement (channel.hpp) says in
-/// which images. Depth is exact in images of 16 and 24 bits and of floats.
+/// Pixels to be put in place of what a pass of the first seen frame leaves; Replacement
+/// (channel.hpp) says in which images. Depth is exact in images of 16 and 24 bits and of floats.
 struct PassPixels {
   std::uint32_t pass = 0; ///< index in the trace
   std::uint32_t attachment = 0;

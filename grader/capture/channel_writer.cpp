@@ -3,6 +3,7 @@
 #include "capture/tape/writer.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <cmath>
 #include <cstdarg>
 #include <cstddef>
@@ -81,6 +82,7 @@ const char* faultOf(const Plan& plan) {
     if (!std::isfinite(frame.time) || frame.time < 0) return "frame time out of range";
     if (frame.width > channel::kMaxSide || frame.height > channel::kMaxSide)
       return "frame size out of range";
+    if (frame.unseen > 1) return "a switch of a frame is neither 0 nor 1";
   }
   if (const char* const fault = faultOf(plan.trace)) return fault;
   return faultOfReplacements(plan);
@@ -112,6 +114,7 @@ public:
       Message& known = header_->messages[i];
       if (known.kind == number && std::strcmp(known.text, stored) == 0) {
         ++known.count;
+        if (early_[i] && !isUnseen()) place(i);
         return;
       }
     }
@@ -121,10 +124,9 @@ public:
     }
     Message& message = header_->messages[messages_];
     message.kind = number;
-    message.frame = frames_;
     message.count = 1;
-    message.pass = messagePass;
     std::memcpy(message.text, stored, sizeof(stored));
+    place(messages_);
     header_->messageCount = ++messages_;
   }
 
@@ -156,7 +158,7 @@ public:
     if (!header_ || frames_ >= plan_.frameCount) return;
     channel::FrameRecord stored = record;
     const std::uint64_t bytes = std::uint64_t{4} * record.width * record.height;
-    stored.written = bytes <= plan_.slotBytes;
+    stored.written = !isUnseen() && bytes <= plan_.slotBytes;
     if (stored.written) {
       std::memcpy(at<std::uint8_t>(channel::slotOffset(plan_, frames_)), pixels, bytes);
     }
@@ -165,6 +167,16 @@ public:
   }
 
 private:
+  /// Is the frame that is being drawn one that nobody looks at?
+  bool isUnseen() const { return frames_ < plan_.frameCount && plan_.frames[frames_].unseen; }
+
+  /// A message came in this frame and pass.
+  void place(std::uint32_t index) {
+    header_->messages[index].frame = frames_;
+    header_->messages[index].pass = messagePass;
+    early_[index] = isUnseen();
+  }
+
   static bool isSet(const char* variable) {
     const char* const text = std::getenv(variable);
     return text && *text && std::strcmp(text, "0") != 0;
@@ -203,6 +215,7 @@ private:
   std::set<std::string, std::less<>> printed_;
   Plan plan_{};
   Header* header_ = nullptr;
+  std::bitset<channel::kMaxMessages> early_; ///< messages that came in unseen frames only
   std::uint32_t messages_ = 0; ///< our own count: the program can write to the file as well
   std::uint32_t frames_ = 0;
 };

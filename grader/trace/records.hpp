@@ -179,7 +179,7 @@ struct Request {
   std::uint32_t windowCopies;       ///< mask of those of them that are copied of the window, too
   std::uint32_t renderbufferCopies; ///< mask of those that are copied of renderbuffers, too
   std::uint32_t stepCopies;         ///< 1: also after every step
-  std::uint32_t copyFrames;         ///< copies are made in the first so many frames
+  std::uint32_t copyFrames;         ///< copies are made in the first so many seen frames
   std::uint32_t times;              ///< 1: wait for GL at both ends of every pass and measure it
   std::uint32_t tapeFrames;         ///< the first so many frames go on a tape (tape_format.hpp)
   std::uint64_t copyBytes;          ///< room for copies; what doesn't fit is counted

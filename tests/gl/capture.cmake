@@ -37,6 +37,7 @@ ggrade_test(capture_test gl
     ${CMAKE_CURRENT_LIST_DIR}/capture_run_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_tape_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/capture_traces.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/capture_unseen_test.cpp
   LIBRARIES ggrade_channel ggrade_tape COST 20)
 target_compile_definitions(capture_test PRIVATE
   GGRADE_CAPTURE_FOLDER="${CMAKE_BINARY_DIR}/capture"

@@ -70,6 +70,52 @@ TEST_F(ChannelRead, OddHeightsKeepTheirMiddleRow) {
               testing::ElementsAre(8, 9, 10, 11, 4, 5, 6, 7, 0, 1, 2, 3));
 }
 
+/// Two frames before one that is looked at, and one after it.
+TEST(ChannelUnseen, FramesAreNoneForWhoReads) {
+  const Channel channel({{0.1, 1, 1, 1}, {0.2, 3, 3, 1}, {0.3, 2, 2}, {0.4, 1, 1, 1}, {0.5, 2, 2}},
+                        kDefaultMaxPixels, everything(0));
+  ChildView child(channel);
+  Header& header = child.header();
+  header.framesDone = 2;
+  header.frames[0].width = 77; // of these nothing is read, and so nothing is checked
+  EXPECT_EQ(channel.read().error, "");
+  EXPECT_TRUE(channel.read().frames.empty());
+  EXPECT_EQ(channel.read().unseenFrames, 2U);
+
+  header.framesDone = 5;
+  for (const int i : {2, 4}) {
+    header.frames[i].written = 1;
+    header.frames[i].width = header.frames[i].height = 2;
+    header.frames[i].firstPass = i == 2 ? 0 : 2;
+    header.frames[i].passCount = i == 2 ? 2 : 1;
+    std::memset(child.slot(channel.plan(), std::uint32_t(i)), 10 * i, 16);
+  }
+  child.tables().counts.passes = 3;
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    child.tables().passes[i].kind = 1;
+    child.tables().passes[i].frame = i == 2;
+  }
+  header.messageCount = 5;
+  for (std::uint32_t i = 0; i < 5; ++i) header.messages[i] = {1, i, 1, trace::kNone, ""};
+  const Capture capture = channel.read();
+  ASSERT_EQ(capture.error, "");
+  ASSERT_EQ(capture.frames.size(), 2U);
+  EXPECT_EQ(capture.unseenFrames, 3U);
+  EXPECT_EQ(capture.frames[0].time, 0.3);
+  EXPECT_EQ(capture.frames[1].time, 0.5);
+  EXPECT_EQ(capture.frames[0].pixels[0], 20);
+  EXPECT_EQ(capture.frames[1].pixels[0], 40);
+  ASSERT_EQ(capture.trace.frames.size(), 2U);
+  EXPECT_EQ(capture.trace.passesOf(0).size(), 2U);
+  EXPECT_EQ(capture.trace.passesOf(1).size(), 1U);
+  std::vector<std::uint32_t> frames; // a message belongs to the next one that is seen
+  for (const CapturedMessage& message : capture.messages) frames.push_back(message.frame);
+  EXPECT_THAT(frames, testing::ElementsAre(0, 0, 0, 1, 1));
+
+  child.tables().passes[2].frame = 4;
+  EXPECT_EQ(channel.read().error, "passes[2].frame: 4 is above 2");
+}
+
 TEST_F(ChannelRead, UntouchedFileIsAProgramThatNeverStarted) {
   const Channel fresh({{0, 2, 2}});
   const Capture capture = fresh.read();
@@ -79,7 +125,7 @@ TEST_F(ChannelRead, UntouchedFileIsAProgramThatNeverStarted) {
 }
 
 TEST_F(ChannelRead, TrustsItsOwnPlanOnly) {
-  std::memset(&child_.header().plan, 0xFF, sizeof(Plan));
+  std::memset(static_cast<void*>(&child_.header().plan), 0xFF, sizeof(Plan));
   const Capture capture = channel_.read();
   EXPECT_EQ(capture.error, "");
   EXPECT_EQ(capture.frames.size(), 2U);
@@ -185,6 +231,8 @@ TEST(Channel, RefusesImpossiblePlans) {
   EXPECT_THROW(Channel({{nan, 1, 1}}), std::invalid_argument);
   EXPECT_THROW(Channel({{0, 16385, 1}}), std::invalid_argument);
   EXPECT_THROW(Channel({{0, 0, 0}}, 0), std::invalid_argument);
+  EXPECT_THROW(Channel({{0, 1, 1, 2}}), std::invalid_argument);
+  EXPECT_THROW(Channel({{0, 1, 1, 1}}), std::invalid_argument) << "nothing is looked at";
 }
 
 TEST(Channel, RefusesImpossibleRequests) {

@@ -80,12 +80,13 @@ double secondsOf(const OpenPass& pass) {
 OpenPass& beginPass(Session& session, trace::PassKind kind) {
   endPass(session);
   OpenPass& pass = session.context().pass.emplace();
-  pass.record.frame = session.shared().frame;
+  pass.isSeen = session.isSeen();
+  pass.record.frame = session.shared().seenFrames;
   pass.record.kind = static_cast<std::uint32_t>(kind);
   pass.record.framebuffer = kNone;
   pass.record.status = GL_FRAMEBUFFER_COMPLETE;
   for (trace::ImageRef& image : pass.record.images) image.layer = kNone;
-  pass.index = session.shared().tables.addPass(pass.record);
+  if (pass.isSeen) pass.index = session.shared().tables.addPass(pass.record);
   setMessagePass(pass.index);
   if (session.shared().request.times) {
     gl().finish();
@@ -96,7 +97,7 @@ OpenPass& beginPass(Session& session, trace::PassKind kind) {
 
 OpenPass& passFor(Session& session, const Target& target, bool isClear) {
   const std::optional<OpenPass>& open = session.context().pass;
-  const bool goesOn = open &&
+  const bool goesOn = open && open->isSeen == session.isSeen() &&
                       open->record.kind == static_cast<std::uint32_t>(trace::PassKind::draw) &&
                       sameImages(open->target, target) && !(isClear && open->record.draws > 0);
   if (goesOn) return *session.context().pass;

@@ -44,11 +44,16 @@ Session::~Session() {
   state_->quiet = false;
 }
 
+bool Session::isSeen() const {
+  return shared_.frame >= plan()->frameCount || !plan()->frames[shared_.frame].unseen;
+}
+
 void Session::countFrame(std::uint32_t& firstPass, std::uint32_t& passCount) {
   const std::uint32_t passes = shared_.tables.passes();
   firstPass = shared_.firstPassOfFrame;
   passCount = passes - firstPass;
   shared_.firstPassOfFrame = passes;
+  if (isSeen()) ++shared_.seenFrames;
   ++shared_.frame;
 }
 

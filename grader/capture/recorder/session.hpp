@@ -38,7 +38,8 @@ struct OtherWrite {
 };
 
 struct OpenPass {
-  std::uint32_t index = trace::kNone; ///< kNone: the table of passes is full
+  std::uint32_t index = trace::kNone; ///< kNone: the table of passes is full, or it is unseen
+  bool isSeen = true;                 ///< began in a frame that is looked at
   trace::PassRecord record{};
   Target target;
   std::vector<OpenStep> steps; ///< the last one is open
@@ -70,7 +71,8 @@ struct Shared {
   Writers writers;
   Programs programs;
   std::uint32_t contexts = 0;
-  std::uint32_t frame = 0; ///< the frame that is being drawn
+  std::uint32_t frame = 0;      ///< the frame that is being drawn
+  std::uint32_t seenFrames = 0; ///< before it, that are looked at
   std::uint32_t firstPassOfFrame = 0;
   Shared();
 };
@@ -88,6 +90,8 @@ public:
 
   explicit operator bool() const { return context_ != nullptr; }
   Context& context() const { return *context_; }
+  /// Is the frame that is being drawn one that is looked at?
+  bool isSeen() const;
   /// GL has refused a call since the session before.
   bool failed() const { return failed_; }
   Shared& shared() const { return shared_; }
