@@ -53,6 +53,7 @@ struct Picture {
   std::string name; ///< of the file, and for errors
   std::set<std::string> filled;
   json scene;
+  grading::Moments times;
   json pass;         ///< see passPicture; null: the window
   std::string where; ///< it is asked for, for errors
 };
@@ -63,12 +64,12 @@ constexpr int kPictures = 1;
 /// Writes the picture to `file`, from the cache if it was drawn before. Throws UsageError where the
 /// program fails.
 void draw(const Assignment& assignment, const fs::path& solutions, const Picture& picture,
-          const std::vector<double>& times, const fs::path& file) {
+          const fs::path& file) {
   grading::Program program(assignment, {solutions, {}, picture.filled}, sandbox::Isolation::none);
   const fs::path kept =
       grading::cacheFolder() / "pictures" /
       (grading::hashOf(fmt::format("{} {} {} {} {}", kPictures, program.key(), picture.scene.dump(),
-                                   json(times).dump(), picture.pass.dump())) +
+                                   json(picture.times).dump(), picture.pass.dump())) +
        ".png");
   std::error_code none;
   if (fs::copy_file(kept, file, fs::copy_options::overwrite_existing, none)) return;
@@ -76,7 +77,7 @@ void draw(const Assignment& assignment, const fs::path& solutions, const Picture
   if (!built.ok())
     throw UsageError(fmt::format("{} doesn't build:\n{}", picture.name, built.output));
   const grading::Rendering rendering =
-      program.render(picture.scene, times, {},
+      program.render(picture.scene, picture.times, {},
                      picture.pass.is_null() ? trace::Request{} : grading::gradingRequest());
   if (rendering.happened.outcome != results::Outcome::graded)
     throw UsageError(fmt::format("{} doesn't render: {}\n{}", picture.name,
@@ -103,10 +104,11 @@ std::vector<Picture> picturesOf(const Assignment& assignment, const fs::path& fi
     for (std::size_t k = 0; k <= part.todos.size(); ++k) {
       const std::string name = fmt::format("{}-{}", part.id, k);
       const json scene = grading::handoutScene(assignment, part, settings, k);
-      all.push_back({name, firstTodos(part, k), scene, nullptr, ""});
+      const grading::Moments times = grading::handoutTimes(part, settings, k);
+      all.push_back({name, firstTodos(part, k), scene, times, nullptr, ""});
       const std::string step = k > 0 ? part.todos[k - 1].id : "";
       if (passes.contains(step))
-        ofPasses.push_back({name + "-pass", all.back().filled, scene, passes.at(step),
+        ofPasses.push_back({name + "-pass", all.back().filled, scene, times, passes.at(step),
                             fmt::format("{}: passes: {}", file.string(), step)});
     }
   }
@@ -127,7 +129,8 @@ std::vector<Picture> picturesOf(const Assignment& assignment, const fs::path& fi
     json scene = grading::partScene(assignment, parts);
     scene.merge_patch(settings.value("scene", json::object()));
     scene.merge_patch(picture.value("scene", json::object()));
-    all.push_back({name, filled, scene, nullptr, ""});
+    all.push_back(
+        {name, filled, scene, grading::handoutTimes(settings, picture, name), nullptr, ""});
   }
   // Last: their programs are built by then.
   all.insert(all.end(), ofPasses.begin(), ofPasses.end());
@@ -138,12 +141,11 @@ void writePictures(const Assignment& assignment, const fs::path& solutions, cons
                    const grading::Progress& progress) {
   const fs::path file = solutions / "handout.json";
   const json settings = readJson(file);
-  const auto times = settings.at("times").get<std::vector<double>>();
   const std::vector<Picture> all = picturesOf(assignment, file, settings);
   std::atomic<std::size_t> done{0};
   grading::inParallel(all.size(), grading::workers(), [&](std::size_t i) {
     progress("drawing", done++, all.size());
-    draw(assignment, solutions, all[i], times, into / (all[i].name + ".png"));
+    draw(assignment, solutions, all[i], into / (all[i].name + ".png"));
   });
 }
 

@@ -70,19 +70,17 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
       scene.merge_patch(other.at("scene"));
       grading::checkScene(assignment, scene, file.string() + ": others: " + of);
       const double time = other.at("time");
+      grading::Moments times{time, time + kNextFrame};
+      times.before = rubric::readBefore(other.value("before", json::array()),
+                                        file.string() + ": others: " + of);
       const auto also = other.value("also", std::set<std::string>{});
       for (const std::string& one : also)
         if (std::ranges::find(part.todos, one, &Todo::id) == part.todos.end() || todo.empty())
           throw UsageError(fmt::format(
               "{}: others: {}: also: {}: must be another TODO of part {}, in a scene of a TODO",
               file.string(), of, one, part.id));
-      scenes.push_back({fmt::format("another scene for {}", of),
-                        scene,
-                        {time, time + kNextFrame},
-                        todo,
-                        true,
-                        0,
-                        also});
+      scenes.push_back(
+          {fmt::format("another scene for {}", of), scene, times, todo, true, 0, also});
     }
   };
   addOthers(part.id, "", grading::partScene(assignment, {part.id}));
@@ -92,7 +90,7 @@ std::vector<check::Scene> scenesOf(const Assignment& assignment, const Part& par
     const json scene = grading::handoutScene(assignment, part, settings, k);
     if (steps.contains(todo))
       scenes.push_back({fmt::format("the handout's step {}", k), scene,
-                        settings.at("times").get<std::vector<double>>(), todo, false});
+                        grading::handoutTimes(part, settings, k), todo, false});
     addOthers(todo, todo, scene);
   }
   return scenes;
@@ -317,7 +315,7 @@ void writePictures(const Assignment& assignment, const fs::path& solutions,
       const bool isCounted =
           k + 1 == filled.size() && !scene.another && shares.contains(scene.todo);
       const grading::Rendering rendering =
-          program.render(scene.scene, {scene.times.front()}, shaders,
+          program.render(scene.scene, scene.times.first(), shaders,
                          i == 0 || isCounted ? grading::gradingRequest() : trace::Request{});
       if (rendering.happened.outcome != results::Outcome::graded)
         throw UsageError(fmt::format("{} doesn't render: {}\n{}", name, rendering.happened.detail,

@@ -381,9 +381,9 @@ private:
   /// Why a later frame is wrong: because it is a later one, or at its time.
   std::string laterCause(const diagnosis::FirstWrong& first) {
     const Scene& scene = expected_.scenes[first.scene];
-    const double time = scene.times[first.frame];
+    const double time = scene.times.shown[first.frame];
     const std::vector<Image> alone = rubric::toImages(grading::rawFrames(
-        grading::renderScene(assignment_.id, programIn(work_), scene.scene, {time},
+        grading::renderScene(assignment_.id, programIn(work_), scene.scene, scene.times.of(time),
                              {work_ / "shaders"}, sandbox::Isolation::none)
             .capture));
     if (alone.empty()) return {};
@@ -396,7 +396,7 @@ private:
                      time)
                : say("The picture at {} s is wrong, and the one at {} s right: what changes with "
                      "time, and is something made only once that does?",
-                     time, scene.times.front());
+                     time, scene.times.shown.front());
   }
 
   /// Names the known mistakes that show the same in one scene, in `cause` and `hint`: ones made
@@ -457,7 +457,7 @@ private:
     Wrong wrong;
     wrong.name = first.slot ? diagnosis::describe(*first.slot)
                             : say("the window at {:.4g} s",
-                                  expected_.scenes[first.scene].times[first.frame]);
+                                  expected_.scenes[first.scene].times.shown[first.frame]);
     wrong.scene = first.scene;
     wrong.another = expected_.scenes[first.scene].another;
     wrong.share = first.differing;

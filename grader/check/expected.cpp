@@ -119,7 +119,8 @@ void save(const Expected& expected, const fs::path& folder) {
   for (const Scene& scene : expected.scenes)
     scenes.push_back({{"name", scene.name},
                       {"scene", scene.scene},
-                      {"times", scene.times},
+                      {"times", scene.times.shown},
+                      {"before", rubric::toJson(scene.times.before)},
                       {"todo", scene.todo},
                       {"another", scene.another},
                       {"most_vertices", scene.mostVertices},
@@ -168,9 +169,15 @@ Expected load(const fs::path& folder) {
     all.at("samplers").get_to(expected.samplers);
     all.at("frustum").get_to(expected.frustum);
     for (const json& scene : all.at("scenes"))
-      expected.scenes.push_back({scene.at("name"), scene.at("scene"),
-                                 scene.at("times").get<std::vector<double>>(), scene.at("todo"),
-                                 scene.at("another"), scene.at("most_vertices"), scene.at("also")});
+      expected.scenes.push_back(
+          {scene.at("name"),
+           scene.at("scene"),
+           {rubric::readBefore(scene.value("before", json::array()), file.string()),
+            scene.at("times").get<std::vector<double>>()},
+           scene.at("todo"),
+           scene.at("another"),
+           scene.at("most_vertices"),
+           scene.at("also")});
     const std::size_t scenes = expected.scenes.size();
     expected.reference = loadRun(scenes, nullptr, folder, "reference");
     for (std::size_t k = 0; k <= expected.todos.size(); ++k)

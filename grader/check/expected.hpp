@@ -7,6 +7,7 @@
 #include "check/frustum.hpp"
 #include "diagnosis/match.hpp"
 #include "diagnosis/outcome.hpp"
+#include "rubric/moments.hpp"
 
 #include <filesystem>
 #include <map>
@@ -20,8 +21,8 @@ namespace ggrade::check {
 /// A scene in which a program is looked at.
 struct Scene {
   std::string name;
-  nlohmann::json scene;      ///< a whole scene file
-  std::vector<double> times; ///< seconds, one a frame
+  nlohmann::json scene; ///< a whole scene file
+  rubric::Moments times;
   /// The TODO that only this scene shows, so that it is drawn once that is begun; empty: always.
   std::string todo;
   /// Neither the public scene nor one of the handout's: numbers typed in show in it.

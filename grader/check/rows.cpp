@@ -50,7 +50,7 @@ std::vector<Cell> cellsOf(const Expected& expected, const Shown& shown) {
       return at == std::ptrdiff_t(expected.reference[scene].passes.size()) ? -1 : at;
     });
     for (const Slot& slot : slots) cells.push_back({scene, slot, 0});
-    for (std::size_t frame = 0; frame < expected.scenes[scene].times.size(); ++frame)
+    for (std::size_t frame = 0; frame < expected.scenes[scene].times.shown.size(); ++frame)
       cells.push_back({scene, std::nullopt, frame});
   }
   return cells;

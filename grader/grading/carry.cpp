@@ -131,7 +131,7 @@ private:
     const GradedScene& first = graded_.scenes.at(scene);
     trace::Request request = gradingRequest();
     request.copyBytes = first.copyBytes;
-    const Rendering rendering = graded_.program->render(first.scene, {first.times.at(0)},
+    const Rendering rendering = graded_.program->render(first.scene, first.times.first(),
                                                         graded_.shaders, request, pixels_[scene]);
     const channel::Capture& capture = rendering.capture;
     // Without this run the student would lose what it may give back.

@@ -74,7 +74,7 @@ bool isOfOtherSteps(const SceneCase& scene) {
 tape::Tape recordOwn(const Target& target, const Recipe& recipe, const rubric::SceneFolders& scene,
                      const ShaderCache& shaders) {
   Program program(target.assignment, recipe);
-  const trace::Request request = tapingRequest(std::uint32_t(scene.times.size()));
+  const trace::Request request = tapingRequest(scene.times);
   const fs::path file =
       cacheFolder() / "tapes" /
       hashOf(program.key() + scene.scene.dump() + json(scene.times).dump() + identity(request));
@@ -252,8 +252,8 @@ void Owners::learnDeciders(const Target& target, const fs::path& solutionFolder,
   Statements statements(target, solutionFolder);
   std::vector<std::set<Unit>> changed(statements.size()); // without each statement
   inParallel(statements.size(), workers(), [&](std::size_t i) {
-    const Rendering drawn = statements.renderWithout(
-        i, scene.scene, scene.times, shaders, tapingRequest(std::uint32_t(scene.times.size())));
+    const Rendering drawn =
+        statements.renderWithout(i, scene.scene, scene.times, shaders, tapingRequest(scene.times));
     if (!drawn.happened.ok() || !drawn.capture.tapeRefused.empty()) return;
     for (const repair::Difference& one :
          repair::compare(tape::read(drawn.capture.tape), reference).differences)

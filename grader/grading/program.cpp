@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <span>
 #include <sstream>
 
 extern char** environ;
@@ -84,6 +85,7 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
   happened.seconds = run.wallSeconds;
   happened.signalled = run.end == End::signalled;
   happened.output = report::sanitize(run.standardOutput + run.standardError);
+  const bool cameToNone = capture.frames.empty() && capture.unseenFrames == 0;
   const std::string progress = say("{} of {} frames came", capture.frames.size(), frameCount);
   const auto set = [&](Outcome outcome, std::string detail) {
     happened.outcome = outcome;
@@ -98,7 +100,7 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
   } else if (run.end == End::memoryLimit) {
     set(Outcome::outOfMemory, fmt::format("{}; {}", run.detail, progress));
   } else if (run.end == End::timeLimit) {
-    if (capture.frames.empty() && capture.contextMade)
+    if (cameToNone && capture.contextMade)
       set(Outcome::noFrame,
           say("the program ran for {:.0f} s and never reached glfwSwapBuffers", run.wallSeconds));
     else
@@ -109,7 +111,7 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
     const channel::CapturedMessage* error = firstGlError(capture);
     set(error ? Outcome::glError : Outcome::graded,
         error ? say("frame {}: {}; {}", error->frame + 1, error->text, progress) : progress);
-  } else if (capture.endedByCapture && capture.frames.empty()) {
+  } else if (capture.endedByCapture && cameToNone) {
     set(Outcome::noFrame,
         say("the program's loop went round and round without ever reaching glfwSwapBuffers"));
   } else if (run.exitCode == 3) {
@@ -122,13 +124,6 @@ Happened classify(const sandbox::Result& run, const channel::Capture& capture,
         say("the program ended before it had swapped the buffers often enough; {}", progress));
   }
   return happened;
-}
-
-std::vector<channel::PlannedFrame> plan(const std::vector<double>& times, std::uint32_t width,
-                                        std::uint32_t height) {
-  std::vector<channel::PlannedFrame> frames;
-  for (double time : times) frames.push_back({time, width, height});
-  return frames;
 }
 
 #ifdef __SANITIZE_ADDRESS__
@@ -146,7 +141,10 @@ void admitSanitizers(sandbox::Command& command) {
 
 /// Runs the command and reads what it handed over.
 Rendering runCaptured(const sandbox::Command& command, Isolation isolation,
-                      const channel::Channel& channel, std::size_t frameCount) {
+                      const channel::Channel& channel) {
+  const std::span planned(channel.plan().frames, channel.plan().frameCount);
+  const auto frameCount =
+      std::size_t(std::ranges::count(planned, 0U, &channel::PlannedFrame::unseen));
   const sandbox::Result run = sandbox::run(command, isolation, &interrupted);
   channel::Capture capture = channel.read();
   Happened happened = classify(run, capture, frameCount);
@@ -280,11 +278,31 @@ trace::Request gradingRequest() {
   return request;
 }
 
+std::vector<channel::PlannedFrame> plannedFrames(const Moments& times, std::uint32_t width,
+                                                 std::uint32_t height) {
+  std::vector<channel::PlannedFrame> frames;
+  for (const rubric::Moment& one : times.before) {
+    const bool sized = one.width > 0;
+    frames.push_back({one.time, sized ? one.width : width, sized ? one.height : height, 1});
+  }
+  for (const double time : times.shown) frames.push_back({time, width, height});
+  return frames;
+}
+
 Rendering renderScene(const std::string& id, const fs::path& folder, const nlohmann::json& scene,
-                      const std::vector<double>& times, const ShaderCache& shaders,
-                      Isolation isolation, const trace::Request& trace,
-                      const std::vector<channel::PassPixels>& replacements, bool doctor,
-                      const std::vector<std::byte>& tape) {
+                      const Moments& times, const ShaderCache& shaders, Isolation isolation,
+                      const trace::Request& trace,
+                      const std::vector<channel::PassPixels>& replacements, bool doctor) {
+  const auto size = scene.at("size").get<std::vector<std::uint32_t>>();
+  return renderFrames(id, folder, scene, plannedFrames(times, size.at(0), size.at(1)), shaders,
+                      isolation, trace, replacements, doctor);
+}
+
+Rendering renderFrames(const std::string& id, const fs::path& folder, const nlohmann::json& scene,
+                       const std::vector<channel::PlannedFrame>& frames, const ShaderCache& shaders,
+                       Isolation isolation, const trace::Request& trace,
+                       const std::vector<channel::PassPixels>& replacements, bool doctor,
+                       const std::vector<std::byte>& tape) {
   TemporaryFolder work;
   const fs::path sceneFolder = work.makeVisible("scene");
   const auto put = [&](const char* name, const char* bytes, std::size_t size) {
@@ -296,9 +314,7 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   put("scene.json", text.data(), text.size());
   if (!tape.empty()) put("tape", reinterpret_cast<const char*>(tape.data()), tape.size());
   const Places at(isolation, folder, shaders.folder, sceneFolder);
-  const auto size = scene.at("size").get<std::vector<std::uint32_t>>();
-  channel::Channel channel(plan(times, size.at(0), size.at(1)), channel::kDefaultMaxPixels, trace,
-                           replacements);
+  channel::Channel channel(frames, channel::kDefaultMaxPixels, trace, replacements);
 
   sandbox::Command command;
   command.arguments = {(at.work / id).string(), "--scene", (at.scene / "scene.json").string()};
@@ -326,24 +342,24 @@ Rendering renderScene(const std::string& id, const fs::path& folder, const nlohm
   }
   command.workingDirectory = isolation == Isolation::bwrap ? fs::path("/scratch") : sceneFolder;
   command.inheritedDescriptor = channel.descriptor();
-  const double further = times.size() > kFewFrames ? double(times.size() - kFewFrames) : 0;
+  const double further = frames.size() > kFewFrames ? double(frames.size() - kFewFrames) : 0;
   command.limits.cpuSeconds = kRunSeconds + further * kFrameSeconds;
   command.limits.wallSeconds = kWallFactor * command.limits.cpuSeconds;
 #ifdef __SANITIZE_ADDRESS__
   admitSanitizers(command);
 #endif
 
-  if (shaders.keep.empty()) return runCaptured(command, isolation, channel, times.size());
+  if (shaders.keep.empty()) return runCaptured(command, isolation, channel);
 
   command.collect = cacheFiles(shaders.folder, at.shaders, work.path());
-  Rendering rendering = runCaptured(command, isolation, channel, times.size());
+  Rendering rendering = runCaptured(command, isolation, channel);
   keepCache(shaders, command.collect, at.shaders);
   return rendering;
 }
 
-Rendering renderProgram(const std::vector<std::string>& arguments, const std::vector<double>& times,
+Rendering renderProgram(const std::vector<std::string>& arguments, const Moments& times,
                         std::uint32_t width, std::uint32_t height, const trace::Request& trace) {
-  channel::Channel channel(plan(times, width, height), channel::kDefaultMaxPixels, trace);
+  channel::Channel channel(plannedFrames(times, width, height), channel::kDefaultMaxPixels, trace);
   sandbox::Command command;
   command.arguments = arguments;
   for (char** variable = environ; *variable; ++variable) {
@@ -366,7 +382,7 @@ Rendering renderProgram(const std::vector<std::string>& arguments, const std::ve
   command.inheritedDescriptor = channel.descriptor();
   command.limits.wallSeconds = command.limits.cpuSeconds = 60;
 
-  return runCaptured(command, Isolation::none, channel, times.size());
+  return runCaptured(command, Isolation::none, channel);
 }
 
 std::vector<rubric::RawFrame> rawFrames(const channel::Capture& capture) {

@@ -12,6 +12,8 @@
 
 namespace ggrade::grading {
 
+using rubric::Moments;
+
 /// A run may take so much processor time: a busy machine must not cost a student points.
 inline constexpr double kRunSeconds = 10;
 /// And so much more for each frame beyond the first few. Graded scenes have no more than those; who
@@ -67,20 +69,31 @@ struct ShaderCache {
 /// is.
 trace::Request gradingRequest();
 
+/// These frames of a window of this size (0: as the program asks), but for those before that have
+/// their own.
+std::vector<channel::PlannedFrame> plannedFrames(const Moments& times, std::uint32_t width,
+                                                 std::uint32_t height);
+
 /// Runs `folder`/`id` in `scene` for the given times. What `trace` asks for of the passes stands in
 /// the capture's trace; `replacements` are put in place of what passes leave. With `doctor` the
-/// framework says on stderr what it finds wrong with the first frame. `tape` lies beside the scene,
-/// for the player of tapes alone.
+/// framework says on stderr what it finds wrong with the run's first frame.
 Rendering renderScene(const std::string& id, const std::filesystem::path& folder,
-                      const nlohmann::json& scene, const std::vector<double>& times,
-                      const ShaderCache& shaders, sandbox::Isolation isolation,
-                      const trace::Request& trace = {},
+                      const nlohmann::json& scene, const Moments& times, const ShaderCache& shaders,
+                      sandbox::Isolation isolation, const trace::Request& trace = {},
                       const std::vector<channel::PassPixels>& replacements = {},
-                      bool doctor = false, const std::vector<std::byte>& tape = {});
+                      bool doctor = false);
+
+/// The same for any frames. `tape` lies beside the scene, for the player of tapes alone.
+Rendering renderFrames(const std::string& id, const std::filesystem::path& folder,
+                       const nlohmann::json& scene,
+                       const std::vector<channel::PlannedFrame>& frames, const ShaderCache& shaders,
+                       sandbox::Isolation isolation, const trace::Request& trace = {},
+                       const std::vector<channel::PassPixels>& replacements = {},
+                       bool doctor = false, const std::vector<std::byte>& tape = {});
 
 /// Runs any GLFW program, trusted (not in the sandbox), with the caller's environment. A size of 0
 /// leaves the window as the program asks.
-Rendering renderProgram(const std::vector<std::string>& arguments, const std::vector<double>& times,
+Rendering renderProgram(const std::vector<std::string>& arguments, const Moments& times,
                         std::uint32_t width, std::uint32_t height,
                         const trace::Request& trace = {});
 

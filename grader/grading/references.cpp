@@ -129,7 +129,7 @@ References prepareReferences(const Target& target, const fs::path& solutionFolde
   struct Job {
     Own* own;
     const json* scene;
-    const std::vector<double>* times;
+    const Moments* times;
     fs::path folder;
     trace::Request trace;
   };

@@ -133,7 +133,7 @@ private:
   TapedScene record(std::size_t index) {
     const GradedScene& scene = graded_.scenes[index];
     Rendering taped = graded_.program->render(scene.scene, scene.times, graded_.shaders,
-                                              tapingRequest(std::uint32_t(scene.times.size())));
+                                              tapingRequest(scene.times));
     if (!taped.happened.ok()) throw NotRepaired("it ends otherwise when it is recorded");
     if (!taped.capture.tapeRefused.empty())
       throw NotRepaired("the program " + taped.capture.tapeRefused);

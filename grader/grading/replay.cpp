@@ -22,46 +22,48 @@ std::string describe(const trace::Trace& trace, const trace::CopyRecord& copy) {
 
 } // namespace
 
-trace::Request tapingRequest(std::uint32_t frames) {
+trace::Request tapingRequest(const Moments& times) {
   trace::Request request = gradingRequest();
-  request.tapeFrames = frames;
+  request.tapeFrames = std::uint32_t(times.frames());
   request.tapeBytes = kTapeBytes;
   return request;
 }
 
 Rendering play(const std::vector<std::byte>& tape, const std::vector<nlohmann::json>& patches,
-               const std::vector<std::uint32_t>& size, std::uint32_t frames,
+               const std::vector<std::uint32_t>& size, const Moments& times,
                const ShaderCache& shaders, const trace::Request& request) {
-  const nlohmann::json scene = {{"size", size}, {"patches", patches}, {"frames", frames}};
-  return renderScene("play", toolchain::kPlayerFolder, scene,
-                     std::vector<double>(patches.size() * frames, 0.0), shaders, isolation(),
-                     request, {}, false, tape);
+  const nlohmann::json scene = {{"patches", patches}, {"frames", times.frames()}};
+  const auto once = plannedFrames(times, size.at(0), size.at(1));
+  std::vector<channel::PlannedFrame> frames;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+    frames.insert(frames.end(), once.begin(), once.end());
+  return renderFrames("play", toolchain::kPlayerFolder, scene, frames, shaders, isolation(),
+                      request, {}, false, tape);
 }
 
 std::vector<channel::Capture> playEach(const std::vector<std::byte>& tape,
                                        const std::vector<nlohmann::json>& patches,
-                                       const std::vector<std::uint32_t>& size,
-                                       const std::vector<double>& times, const ShaderCache& shaders,
-                                       std::uint64_t frameBytes) {
-  const std::size_t frames = times.size();
+                                       const std::vector<std::uint32_t>& size, const Moments& times,
+                                       const ShaderCache& shaders, std::uint64_t frameBytes) {
+  const std::size_t frames = times.shown.size();
   trace::Request request = gradingRequest();
   request.copyFrames = channel::kMaxFrames;
   request.copyBytes = std::uint64_t{1} << 30;
   // A patch may add passes: so twice the room.
   const std::size_t room = request.copyBytes / (2 * std::max(frameBytes, std::uint64_t{1}));
-  const std::size_t together = std::max(std::size_t{1}, std::min(kVariantFrames, room) / frames);
+  const std::size_t together =
+      std::max(std::size_t{1}, std::min(kVariantFrames / times.frames(), room / frames));
   std::vector<channel::Capture> all;
   while (all.size() < patches.size()) {
     const auto begin = patches.begin() + std::ptrdiff_t(all.size());
     const std::size_t count = std::min(together, patches.size() - all.size());
     const std::vector<nlohmann::json> some(begin, begin + std::ptrdiff_t(count));
-    const Rendering played = play(tape, some, size, std::uint32_t(frames), shaders, request);
+    const Rendering played = play(tape, some, size, times, shaders, request);
     const std::size_t whole = std::min(count, played.capture.frames.size() / frames);
     for (std::size_t i = 0; i < whole; ++i) {
       channel::Capture& one = all.emplace_back();
       const auto first = played.capture.frames.begin() + std::ptrdiff_t(i * frames);
       one.frames.assign(first, first + std::ptrdiff_t(frames));
-      for (std::size_t k = 0; k < frames; ++k) one.frames[k].time = times[k];
       one.trace = trace::framesOf(played.capture.trace, i * frames, frames);
     }
     // What ends a run is one patch's fault: those after it are drawn in another one.

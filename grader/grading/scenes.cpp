@@ -143,14 +143,37 @@ json readScene(const Assignment& assignment, const fs::path& file) {
   return scene;
 }
 
+namespace {
+
+/// What handout.json changes for a step; nothing for the picture before the first one.
+json stepOf(const Part& part, const json& settings, std::size_t k) {
+  if (k == 0) return json::object();
+  return settings.value("steps", json::object()).value(part.todos.at(k - 1).id, json::object());
+}
+
+} // namespace
+
 json handoutScene(const Assignment& assignment, const Part& part, const json& settings,
                   std::size_t k) {
   json scene = partScene(assignment, {part.id});
   scene.merge_patch(settings.value("scene", json::object()));
-  if (k > 0)
-    scene.merge_patch(
-        settings.value("steps", json::object()).value(part.todos.at(k - 1).id, json::object()));
+  json step = stepOf(part, settings, k);
+  step.erase("before"); // its frames
+  scene.merge_patch(step);
   return scene;
+}
+
+Moments handoutTimes(const json& settings, const json& one, const std::string& name) {
+  const std::string where = "handout.json: " + name;
+  Moments times(settings.at("times").get<std::vector<double>>());
+  const json& from = one.contains("before") ? one : settings;
+  times.before = rubric::readBefore(from.value("before", json::array()), where);
+  rubric::checkFrames(times, where);
+  return times;
+}
+
+Moments handoutTimes(const Part& part, const json& settings, std::size_t k) {
+  return handoutTimes(settings, stepOf(part, settings, k), fmt::format("{}-{}", part.id, k));
 }
 
 namespace {
@@ -190,14 +213,18 @@ public:
                                      "name",
                                      one.name, declared.at("like").get<std::string>()));
       one.like = base;
-      one.times = {found->times.at(0)};
+      one.times = found->times.first();
       one.scene = found->scene;
       one.scene.merge_patch(changed(found->scene, change, ""));
     } else {
-      one.times = drawer.draw(declared.at("times")).get<std::vector<double>>();
+      one.times.shown = drawer.draw(declared.at("times")).get<std::vector<double>>();
       one.scene = partScene(target_.assignment, parts);
       one.scene.merge_patch(drawer.draw(declared.value("scene", json::object())));
     }
+    // Last, so that a scene with it is drawn as without.
+    if (declared.contains("before"))
+      one.times.before = rubric::readBefore(drawer.draw(declared["before"]), one.name);
+    rubric::checkFrames(one.times, one.name);
     addProbes(one);
     checkScene(target_.assignment, one.scene, path_.string() + ", " + one.name);
     for (const auto& [name, probe] : one.probes)

@@ -33,6 +33,7 @@ struct Draw {
   bool operator==(const Draw&) const = default;
 };
 
+using rubric::Moments;
 using rubric::SceneCase;
 
 struct ScenePlan {
@@ -46,9 +47,10 @@ struct ScenePlan {
 /// scenes.json a value `{"between": [a, b]}` is drawn evenly (numbers, or arrays component by
 /// component), `{"choose": [...]}` picks one; everything else stands as it is. A scene with
 /// `"like"` is an earlier scene of the same parts, at its first time, with `scene` as what has
-/// changed: there
-/// `{"plus": x}` and `{"times": x}` are counted from that scene's value. The same seed gives the
-/// same plan on every machine. Throws UsageError, also for a scene outside of what assignment.json
+/// changed: there `{"plus": x}` and `{"times": x}` are counted from that scene's value. `"before"`
+/// are the frames that are drawn before those of `times` (rubric/moments.hpp); a scene that is like
+/// another one has that one's, unless it has its own. The same seed gives the same plan on every
+/// machine. Throws UsageError, also for a scene outside of what assignment.json
 /// declares.
 ScenePlan drawScenes(const Target& target, const std::filesystem::path& solutionFolder,
                      const Draw& draw = {});
@@ -65,8 +67,16 @@ nlohmann::json readScene(const Assignment& assignment, const std::filesystem::pa
 nlohmann::json partScene(const Assignment& assignment, const std::vector<std::string>& parts);
 
 /// The scene of the handout's picture of step `k` (0: nothing done yet) of a part: the assignment's
-/// scene, the part's, `settings["scene"]`, and the one given for this step.
+/// scene, the part's, `settings["scene"]`, and the one given for this step (without its `before`).
 nlohmann::json handoutScene(const Assignment& assignment, const Part& part,
                             const nlohmann::json& settings, std::size_t k);
+
+/// When it is drawn: at `settings["times"]`, after the frames of this step's `before`, else of
+/// `settings["before"]`. Throws UsageError.
+Moments handoutTimes(const Part& part, const nlohmann::json& settings, std::size_t k);
+/// The same for anything else of handout.json that may have a `before`, such as a picture.
+/// \param name for errors
+Moments handoutTimes(const nlohmann::json& settings, const nlohmann::json& one,
+                     const std::string& name);
 
 } // namespace ggrade::grading

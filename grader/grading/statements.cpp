@@ -71,7 +71,7 @@ std::string Statements::withSwitches(const std::string& text, const std::string&
 }
 
 Rendering Statements::renderWithout(std::size_t at, const nlohmann::json& scene,
-                                    const std::vector<double>& times, const ShaderCache& shaders,
+                                    const Moments& times, const ShaderCache& shaders,
                                     const trace::Request& trace) {
   TemporaryFolder work(programs_.path());
   const fs::path folder = work.makeVisible("program");

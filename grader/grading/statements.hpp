@@ -20,9 +20,8 @@ public:
   const std::string& todoOf(std::size_t at) const { return todos_.at(at); }
 
   /// As Program::render, without that statement. May be called by several threads.
-  Rendering renderWithout(std::size_t at, const nlohmann::json& scene,
-                          const std::vector<double>& times, const ShaderCache& shaders,
-                          const trace::Request& trace);
+  Rendering renderWithout(std::size_t at, const nlohmann::json& scene, const Moments& times,
+                          const ShaderCache& shaders, const trace::Request& trace);
 
 private:
   /// The text with a switch before each statement. Those of the target's TODOs are counted.

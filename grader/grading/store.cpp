@@ -195,8 +195,8 @@ const Happened& Program::build() {
   return built_;
 }
 
-Rendering Program::render(const json& scene, const std::vector<double>& times,
-                          const ShaderCache& shaders, const trace::Request& trace,
+Rendering Program::render(const json& scene, const Moments& times, const ShaderCache& shaders,
+                          const trace::Request& trace,
                           const std::vector<channel::PassPixels>& replacements) {
   if (!build().ok()) return {built_, {}};
   return renderScene(assignment_.id, folder_, scene, times, shaders, isolation_, trace,

@@ -67,8 +67,8 @@ public:
   const std::filesystem::path& folder() const { return folder_; }
 
   /// As renderScene; builds it first. A program that doesn't build draws nothing, see `happened`.
-  Rendering render(const nlohmann::json& scene, const std::vector<double>& times,
-                   const ShaderCache& shaders, const trace::Request& trace = {},
+  Rendering render(const nlohmann::json& scene, const Moments& times, const ShaderCache& shaders,
+                   const trace::Request& trace = {},
                    const std::vector<channel::PassPixels>& replacements = {});
 
 private:

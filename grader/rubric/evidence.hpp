@@ -5,6 +5,7 @@
 
 #include "assignment/assignment.hpp"
 #include "image/image.hpp"
+#include "rubric/moments.hpp"
 #include "trace/trace.hpp"
 
 #include <nlohmann/json.hpp>
@@ -65,9 +66,9 @@ struct SceneCase {
   std::string name; ///< in the language that was chosen
   bool isPublic = false;
   std::vector<std::string> tags; ///< what it can show; rubric items choose scenes by tag
-  std::vector<double> times;     ///< seconds, one a frame
-  nlohmann::json scene;          ///< a whole scene file
-  std::string like;              ///< the scene that this one is a change of; empty: of none
+  Moments times;
+  nlohmann::json scene; ///< a whole scene file
+  std::string like;     ///< the scene that this one is a change of; empty: of none
   /// Scenes that only the reference is rendered in, to learn where things are (masks) and what a
   /// feature changes: the scene with a patch merged over it. A probe with tags belongs to the
   /// scenes that share one.

@@ -41,7 +41,7 @@ double pointsOf(const ggrade::Part& part, ggrade::results::ItemKind kind) {
 
 /// What a program shows in the first frame of a picture of the handout.
 ggrade::channel::Capture draw(const std::string& id, const fs::path& program, const json& scene,
-                              const std::vector<double>& times,
+                              const ggrade::grading::Moments& times,
                               const ggrade::grading::ShaderCache& shaders) {
   auto rendering =
       ggrade::grading::renderScene(id, program, scene, times, shaders, ggrade::grading::isolation(),
@@ -67,7 +67,7 @@ protected:
   /// Are the pictures of step `k` in the handout those that its program draws?
   void expectPictures(std::size_t k, const fs::path& program) const {
     const json settings = readHandout(assignment());
-    const auto times = settings.at("times").get<std::vector<double>>();
+    const auto times = ggrade::grading::handoutTimes(part(), settings, k);
     const auto& shaders = grader_.references().shaders;
     const auto capture =
         draw(assignment().id, program,
@@ -85,7 +85,7 @@ protected:
         expectHandedOut(
             assignment(), other + ".png",
             windowOf(draw(assignment().id, program, pictureScene(assignment(), settings, picture),
-                          times, shaders)));
+                          ggrade::grading::handoutTimes(settings, picture, other), shaders)));
   }
 
   Grader& grader_ = Grader::of(GetParam());
@@ -197,7 +197,7 @@ TEST(Steps, PicturesOfSeveralPartsAreInStepWithTheSolution) {
           ggrade::grading::buildProgram(assignment.id, program.path(), Isolation::none).ok());
       const auto rendering = ggrade::grading::renderScene(
           assignment.id, program.path(), pictureScene(assignment, settings, picture),
-          settings.at("times").get<std::vector<double>>(), {}, Isolation::none);
+          ggrade::grading::handoutTimes(settings, picture, name), {}, Isolation::none);
       expectHandedOut(assignment, name + ".png", windowOf(rendering.capture));
     }
   }

@@ -21,7 +21,7 @@ Expected small() {
   all.todos = {"mirror.1"};
   all.scenes = {{"public", {{"size", {4, 3}}}, {0.25}, "", false},
                 {"blurred", {{"size", {5, 6}}}, {1}, "mirror.1", true, 0, {"mirror.3"}},
-                {"other", {}, {1}, "mirror.2", false}};
+                {"other", {}, {{{0.5}, {0.75, 8, 6}}, {1}}, "mirror.2", false}};
   diagnosis::SceneViews black = diagnosis::samples::views();
   black.windows[0] = diagnosis::reduced(Image(320, 240, 3, 0.0f), 3);
   const diagnosis::SceneViews right = diagnosis::samples::views();
@@ -50,7 +50,8 @@ TEST(CheckExpected, IsReadAsItWasWritten) {
   EXPECT_THAT(all.todos, ElementsAre("mirror.1"));
   ASSERT_EQ(all.scenes.size(), 3u);
   EXPECT_EQ(all.scenes[0].scene.at("size"), nlohmann::json({4, 3}));
-  EXPECT_THAT(all.scenes[0].times, ElementsAre(0.25));
+  EXPECT_EQ(all.scenes[0].times, rubric::Moments({0.25}));
+  EXPECT_EQ(all.scenes[2].times, rubric::Moments({{0.5}, {0.75, 8, 6}}, {1}));
   EXPECT_EQ(all.scenes[1].todo, "mirror.1");
   EXPECT_FALSE(all.scenes[0].another);
   EXPECT_TRUE(all.scenes[1].another);

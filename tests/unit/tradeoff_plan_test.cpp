@@ -116,6 +116,14 @@ TEST_F(TradeoffPlan, ANumbersSecondSceneHasFilesOfItsOwn) {
   EXPECT_EQ(plan.sweeps[1].truth, json({{"light_radius", 0.1}}));
 }
 
+TEST_F(TradeoffPlan, ASceneHasFramesBefore) {
+  json text = good();
+  EXPECT_THAT(read(text).sweeps[0].before, testing::IsEmpty());
+  scene(text)["before"] = {0.25, {{"time", 0.4}, {"size", {32, 24}}}};
+  EXPECT_THAT(read(text).sweeps[0].before,
+              ElementsAre(rubric::Moment{0.25}, rubric::Moment{0.4, 32, 24}));
+}
+
 TEST_F(TradeoffPlan, SaysWhatIsBest) {
   json text = good();
   scene(text)["reference"] = {{"mirror_size", 64}};

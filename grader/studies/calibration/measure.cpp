@@ -143,7 +143,7 @@ private:
     if (look.measures)
       score.measures = measurePictures({graded.scenes.begin(), graded.scenes.end()});
     std::size_t pictures = 0;
-    for (const grading::SceneCase& scene : plan.scenes) pictures += scene.times.size();
+    for (const grading::SceneCase& scene : plan.scenes) pictures += scene.times.shown.size();
     for (const results::Timing& timing : graded.result.timings)
       if (timing.what == "judge") score.judgeMs = 1e3 * timing.seconds / double(pictures);
     return score;

@@ -21,15 +21,14 @@ std::optional<Replayed> replay(grading::Program& program, const KnownAnswer& kno
   Replayed one;
   one.program = known.name;
   one.scene = scene.name;
-  std::vector<double> times = scene.times;
-  times.resize(std::min<std::size_t>(times.size(), kFrames));
-  const auto frames = std::uint32_t(times.size());
+  grading::Moments times = scene.times;
+  times.shown.resize(std::min<std::size_t>(times.shown.size(), kFrames));
   trace::Request request = grading::gradingRequest();
   request.copyFrames = kFrames;
   request.copies = request.windowCopies = request.renderbufferCopies = trace::kAllAttachments;
   const grading::Rendering drawn = program.render(scene.scene, times, {}, request);
   if (!drawn.happened.ok()) return std::nullopt;
-  trace::Request taping = grading::tapingRequest(kFrames);
+  trace::Request taping = grading::tapingRequest(times);
   taping.copyFrames = request.copyFrames;
   taping.windowCopies = taping.renderbufferCopies = trace::kAllAttachments;
   const grading::Rendering taped = program.render(scene.scene, times, {}, taping);
@@ -43,10 +42,10 @@ std::optional<Replayed> replay(grading::Program& program, const KnownAnswer& kno
   }
   const auto size = scene.scene.at("size").get<std::vector<std::uint32_t>>();
   const grading::Rendering played =
-      grading::play(taped.capture.tape, {nlohmann::json::array()}, size, frames, {}, request);
+      grading::play(taped.capture.tape, {nlohmann::json::array()}, size, times, {}, request);
   one.played = played.happened.seconds;
   one.difference = grading::differenceOf(drawn.capture, played.capture);
-  if (one.difference.empty() && played.capture.frames.size() != frames)
+  if (one.difference.empty() && played.capture.frames.size() != times.shown.size())
     one.difference = "the player ended early";
   if (!played.happened.ok()) one.difference += ": " + played.happened.detail;
   return one;

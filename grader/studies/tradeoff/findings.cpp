@@ -131,6 +131,7 @@ json jsonOf(const Measured& measured, const Findings& findings, const Table& tab
               {"time", sweep.time},
               {"unit", "milliseconds of a frame"},
               {"rows", rows}};
+  if (!sweep.before.empty()) all["before"] = rubric::toJson(sweep.before);
   for (const Curve& curve : findings.curves) {
     if (table.numbers != curve.table.numbers) continue;
     all["error_falls"] = curve.fall;

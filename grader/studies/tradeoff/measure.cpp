@@ -54,7 +54,7 @@ Bench::Bench(const Assignment& assignment, const fs::path& solutionFolder, Effor
                                  built.output));
 }
 
-grading::Rendering Bench::run(const json& scene, const std::vector<double>& times,
+grading::Rendering Bench::run(const json& scene, const rubric::Moments& times,
                               const trace::Request& request) {
   const auto render = [&] { return program_.render(scene, times, {shaders_}, request); };
   grading::Rendering rendering = render();
@@ -71,8 +71,11 @@ grading::Rendering Bench::run(const json& scene, const std::vector<double>& time
   return rendering;
 }
 
-std::vector<double> Bench::frames(const json& scene, double programTime) {
-  const std::vector<double> times(kWarmUp + effort_.frames, programTime);
+std::vector<double> Bench::frames(const json& scene, const rubric::Moments& frame) {
+  rubric::Moments times = frame;
+  times.shown.resize(
+      std::min<std::size_t>(kWarmUp + effort_.frames, channel::kMaxFrames - times.before.size()),
+      frame.shown.at(0));
   const trace::Trace trace = run(scene, times, timesRequest()).capture.trace;
   if (trace.passesLost > 0) throw std::runtime_error("more passes than can be recorded");
   std::vector<double> all;
@@ -85,7 +88,7 @@ std::vector<double> Bench::frames(const json& scene, double programTime) {
 }
 
 Bench::Timed Bench::time(const std::vector<json>& scenes, const std::vector<std::size_t>& off,
-                         double programTime, const std::string& what) {
+                         const rubric::Moments& frame, const std::string& what) {
   Timed timed;
   timed.costs.resize(scenes.size());
   std::vector<std::vector<double>> wholes(scenes.size());
@@ -97,7 +100,7 @@ Bench::Timed Bench::time(const std::vector<json>& scenes, const std::vector<std:
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       progress_(text, done++, scenes.size() * effort_.rounds);
       const std::size_t index = round % 2 == 0 ? i : scenes.size() - 1 - i;
-      now[index] = frames(scenes[index], programTime);
+      now[index] = frames(scenes[index], frame);
     }
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       const double without = spreadOf(now[off[i]]).median;
@@ -110,13 +113,14 @@ Bench::Timed Bench::time(const std::vector<json>& scenes, const std::vector<std:
 }
 
 truth::Judgement Bench::judge(const Sweep& sweep, const json& scene) {
-  const grading::Rendering rendering = run(scene, {sweep.time}, copiesRequest());
+  const grading::Rendering rendering = run(scene, {sweep.before, {sweep.time}}, copiesRequest());
   if (rendering.capture.trace.copiesLost > 0)
     throw std::runtime_error(
         fmt::format("no room for all pictures of quality {}", scene.at("quality").dump()));
   truth::Rendered rendered;
   rendered.scene = scene;
   rendered.time = sweep.time;
+  rendered.before = sweep.before;
   rendered.truth = sweep.truth;
   rendered.window = rubric::toImage(grading::rawFrames(rendering.capture).at(0));
   rendered.trace = &rendering.capture.trace;
@@ -147,7 +151,7 @@ Measured Bench::measure(const Sweep& sweep) {
   }
   scenes.push_back(sweep.off);
   const std::vector<std::size_t> off(scenes.size(), scenes.size() - 1);
-  Timed timed = time(scenes, off, sweep.time, what);
+  Timed timed = time(scenes, off, {sweep.before, {sweep.time}}, what);
   for (std::size_t i = 0; i < settings.size(); ++i)
     measured.points[i].ms = spreadOf(std::move(timed.costs[i]));
   measured.offMs = timed.whole.back();
@@ -176,7 +180,7 @@ std::vector<GrowthRow> Bench::growth(const Plan& plan) {
         }
         row.values.push_back(step.value);
       }
-      const Timed timed = time(scenes, off, 0, part.part + " against " + series.name);
+      const Timed timed = time(scenes, off, {0.0}, part.part + " against " + series.name);
       std::vector<double> medians;
       for (std::size_t i = 0; i < scenes.size(); i += 2) {
         row.ms.push_back(spreadOf(timed.costs[i]));
@@ -197,7 +201,7 @@ std::vector<SavedRow> Bench::saved(const Plan& plan) {
       off.push_back(scenes.size());
       scenes.push_back(scene);
     }
-  const Timed timed = time(scenes, off, 0, "work saved");
+  const Timed timed = time(scenes, off, {0.0}, "work saved");
   trace::Request request{};
   request.passes = 1;
   std::vector<Need> needs;

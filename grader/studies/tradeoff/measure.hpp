@@ -68,16 +68,17 @@ public:
   const Effort& effort() const { return effort_; }
 
 private:
-  /// Milliseconds of scenes[0], ... at `times`, less the median of scenes[off[i]] of the same
+  /// Milliseconds of scenes[0], ... in `frame`, less the median of scenes[off[i]] of the same
   /// round.
   struct Timed {
     std::vector<std::vector<double>> costs; ///< by scene, a value a frame of every round
     std::vector<Spread> whole;              ///< by scene: of the whole frame
   };
   Timed time(const std::vector<json>& scenes, const std::vector<std::size_t>& off,
-             double programTime, const std::string& what);
-  std::vector<double> frames(const json& scene, double programTime);
-  grading::Rendering run(const json& scene, const std::vector<double>& times,
+             const rubric::Moments& frame, const std::string& what);
+  /// The same frame again and again, after those before it.
+  std::vector<double> frames(const json& scene, const rubric::Moments& frame);
+  grading::Rendering run(const json& scene, const rubric::Moments& times,
                          const trace::Request& request);
   truth::Judgement judge(const Sweep& sweep, const json& scene);
 

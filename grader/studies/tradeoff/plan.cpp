@@ -15,6 +15,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// They leave room for those that are timed.
+constexpr std::size_t kMostBefore = 32;
+
 /// The file being read, and where in it: every error names both.
 class Reader {
 public:
@@ -67,6 +70,14 @@ public:
     return base;
   }
 
+  std::vector<rubric::Moment> before(const json& object, const std::string& at) const {
+    const auto frames =
+        rubric::readBefore(object.value("before", json::array()), file_ + ": " + at);
+    if (frames.size() > kMostBefore)
+      fail(at + ".before", fmt::format("{} frames are more than {}", frames.size(), kMostBefore));
+    return frames;
+  }
+
   static std::string join(const std::vector<std::string>& words) {
     std::string text;
     for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -104,9 +115,9 @@ std::vector<std::string> namesOf(const Sweep& sweep) {
 
 Sweep readSweep(const Reader& reader, const json& base, const json& off, const json& read,
                 const std::string& part, const std::string& at) {
-  reader.checkKeys(
-      read, at,
-      {"name", "about", "time", "scene", "truth", "numbers", "together", "reference", "notes"});
+  reader.checkKeys(read, at,
+                   {"name", "about", "time", "before", "scene", "truth", "numbers", "together",
+                    "reference", "notes"});
   Sweep sweep;
   sweep.part = part;
   sweep.name = reader.text(read, at, "name");
@@ -118,6 +129,7 @@ Sweep readSweep(const Reader& reader, const json& base, const json& off, const j
   if (!time.is_number() || time.get<double>() < 0)
     reader.fail(at + ".time", fmt::format("must be seconds from 0, but is {}", time.dump()));
   sweep.time = time;
+  sweep.before = reader.before(read, at);
   sweep.truth = read.value("truth", json());
   sweep.scene = reader.scene(base, read.value("scene", json::object()), at + ".scene");
   sweep.off = reader.scene(sweep.scene, off, "parts." + part + ".off");

@@ -9,6 +9,7 @@
 ///           "off": { "effects": { "mirror": false } },   the scene without what the part adds
 ///           first "scenes": [ {
 ///             "name": "sharp", "about": "...", "time": 0.21,
+///             "before": [0.2],                     frames drawn before, see rubric/moments.hpp
 ///             "scene": { ... },                    merged over scene.json and the part's scene
 ///             "truth": { "light_radius": 0.1 },    what the part's truth is told besides
 ///             "numbers": { "mirror_size": [64, 128, ...] },   from the least to the most
@@ -28,6 +29,7 @@
 /// needs are compared with, a patch of it; without one all passes are drawn.
 
 #include "assignment/assignment.hpp"
+#include "rubric/moments.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -53,7 +55,8 @@ struct Sweep {
   json scene; ///< whole
   json off;   ///< whole, without what the part adds
   double time = 0;
-  json truth; ///< what the part's truth is told besides; null for nothing
+  std::vector<rubric::Moment> before; ///< frames that are drawn before
+  json truth;                         ///< what the part's truth is told besides; null for nothing
   std::vector<Number> numbers;
   std::vector<std::vector<std::string>> together;
   std::string suffix; ///< of its files: ".soft" if an earlier scene sweeps one of its numbers

@@ -4,6 +4,7 @@
 /// something that does not draw it in the same way (ray tracing, double precision).
 
 #include "image/image.hpp"
+#include "rubric/moments.hpp"
 #include "trace/trace.hpp"
 
 #include <nlohmann/json.hpp>
@@ -16,11 +17,12 @@ namespace ggrade::truth {
 
 /// One frame of a program as it was captured.
 struct Rendered {
-  nlohmann::json scene;                ///< the whole scene file
-  double time = 0;                     ///< seconds
-  Image window;                        ///< RGBA, 0 to 1, row 0 on top
-  const trace::Trace* trace = nullptr; ///< its passes with copies of every attachment, frame 0
-  nlohmann::json truth = {};           ///< what the truth is told besides, see the part's judge
+  nlohmann::json scene;                 ///< the whole scene file
+  double time = 0;                      ///< seconds
+  std::vector<rubric::Moment> before{}; ///< frames that were drawn before it
+  Image window;                         ///< RGBA, 0 to 1, row 0 on top
+  const trace::Trace* trace = nullptr;  ///< its passes with copies of every attachment, frame 0
+  nlohmann::json truth = {};            ///< what the truth is told besides, see the part's judge
 };
 
 /// How far a picture is from the truth.
