@@ -18,6 +18,7 @@ namespace {
 struct InspectOptions {
   std::string id, folder, out, scene, size;
   double time = 0;
+  std::vector<double> before;
   bool solution = false, steps = false;
 };
 
@@ -46,14 +47,14 @@ grading::Rendering rendered(const InspectOptions& options, Progress& progress) {
   what.folder = options.folder;
   what.scene = options.scene;
   what.size = parseSize(options.size);
-  what.times = {options.time, options.time};
+  what.times = momentsOf(options.before, {options.time, options.time}, "--time");
   what.solution = options.solution;
   what.trace = requested(options.steps);
   grading::Rendering rendering = renderTarget(what, progress);
   const bool late =
       rendering.happened.outcome == results::Outcome::timeout && !rendering.capture.frames.empty();
   if (!late && isWhole(rendering.capture.trace)) return rendering;
-  what.times.pop_back();
+  what.times.shown.pop_back();
   return renderTarget(what, progress);
 }
 
@@ -97,7 +98,7 @@ report::InspectedFrame frameOf(const InspectOptions& options, grading::Rendering
 
 void inspect(const InspectOptions& options) {
   findTarget(assignmentsFolder(), options.id); // before anything else: is there such an ID?
-  checkTimes({options.time}, "--time");
+  momentsOf(options.before, {options.time, options.time}, "--time");
   const fs::path out = options.out.empty() ? "out/inspect-" + options.id + ".html" : options.out;
   if (fs::is_directory(out))
     throw UsageError(say("{} is a folder: --out names the page's file", out.string()));
@@ -137,6 +138,7 @@ void addInspect(CLI::App& app) {
   command->add_option("--size", options->size, say("WIDTHxHEIGHT in pixels"));
   command->add_option("--time", options->time, say("Seconds on the program's clock"))
       ->capture_default_str();
+  declareBefore(*command, options->before);
   command->add_flag("--solution", options->solution,
                     say("The reference instead of the assignment's own files"));
   declareContext(*command, true);
@@ -146,6 +148,7 @@ void addInspect(CLI::App& app) {
                       "Examples:\n"
                       "  ggrade inspect mirror\n"
                       "  ggrade inspect shadow uploads/ada --out out/ada.html\n"
+                      "  ggrade inspect floor --time 2.1 --before 1.9,2\n"
                       "  ggrade inspect floor --solution --steps"));
   command->callback([options] { inspect(*options); });
 }

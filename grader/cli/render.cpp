@@ -27,7 +27,7 @@ namespace {
 
 struct RenderOptions {
   std::string target, folder, out, scene, size;
-  std::vector<double> times = {0};
+  std::vector<double> times = {0}, before;
   bool solution = false, json = false;
   bool passes = false, steps = false, passTimes = false, raw = false;
 };
@@ -120,7 +120,7 @@ std::string lostText(const trace::Trace& trace) {
 
 void render(const RenderOptions& options) {
   const fs::path out = outputFolder(options.out);
-  checkTimes(options.times, "--times");
+  const grading::Moments moments = momentsOf(options.before, options.times, "--times");
   Progress progress("render");
   if (afterDashes.empty() == options.target.empty())
     throw UsageError(say("name either an assignment or folder, or a program after --; see ggrade "
@@ -128,11 +128,11 @@ void render(const RenderOptions& options) {
   const Size size = parseSize(options.size);
   if (!afterDashes.empty()) afterDashes[0] = findProgram(afterDashes[0]);
   const grading::Rendering rendering =
-      afterDashes.empty() ? renderTarget({options.target, options.scene, size, options.times,
+      afterDashes.empty() ? renderTarget({options.target, options.scene, size, moments,
                                           options.solution, requested(options), options.folder},
                                          progress)
-                          : grading::renderProgram(afterDashes, options.times, size.width,
-                                                   size.height, requested(options));
+                          : grading::renderProgram(afterDashes, moments, size.width, size.height,
+                                                   requested(options));
   progress.clear();
 
   grading::TemporaryFolder work(fs::absolute(out).parent_path());
@@ -191,6 +191,7 @@ void addRender(CLI::App& app) {
   command->add_option("--times", options->times, say("Seconds, separated by commas"))
       ->delimiter(',')
       ->capture_default_str();
+  declareBefore(*command, options->before);
   command->add_flag("--solution", options->solution,
                     say("The reference instead of the assignment's own files"));
   auto* passes =
@@ -216,6 +217,7 @@ void addRender(CLI::App& app) {
                       "  ggrade render mirror --out out/mirror\n"
                       "  ggrade render floor --passes --out out/floor\n"
                       "  ggrade render uploads/ada --times 0,0.5,1 --out out/ada\n"
+                      "  ggrade render floor --times 2.1 --before 1.9,2 --out out/later\n"
                       "  ggrade render --out out/homework --size 640x480 -- ./homework --fast"));
   command->callback([options] { render(*options); });
 }

@@ -47,6 +47,8 @@ Size parseSize(const std::string& text) {
   return {std::uint32_t(width), std::uint32_t(height)};
 }
 
+namespace {
+
 void checkTimes(const std::vector<double>& times, const std::string& option) {
   for (double time : times)
     if (!std::isfinite(time) || time < 0)
@@ -54,6 +56,28 @@ void checkTimes(const std::vector<double>& times, const std::string& option) {
   if (times.size() > channel::kMaxFrames)
     throw UsageError(say("{}: {} frames are more than {}: render them in parts", option,
                          times.size(), channel::kMaxFrames));
+}
+
+} // namespace
+
+grading::Moments momentsOf(const std::vector<double>& before, const std::vector<double>& times,
+                           const std::string& option) {
+  checkTimes(times, option);
+  checkTimes(before, "--before");
+  grading::Moments moments(times);
+  for (const double time : before) moments.before.push_back({time});
+  if (moments.frames() > channel::kMaxFrames)
+    throw UsageError(say("{} and --before: {} frames are more than {}", option, moments.frames(),
+                         channel::kMaxFrames));
+  return moments;
+}
+
+void declareBefore(CLI::App& command, std::vector<double>& before) {
+  command
+      .add_option("--before", before,
+                  say("Frames to draw before, of which nothing is kept: seconds, separated by "
+                      "commas"))
+      ->delimiter(',');
 }
 
 grading::Rendering renderTarget(const RenderTarget& what, Progress& progress) {

@@ -5,6 +5,8 @@
 #include "cli/terminal.hpp"
 #include "grading/program.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,15 +20,18 @@ struct Size {
 /// "640x480"; empty text gives {0, 0}. Throws UsageError for anything else.
 Size parseSize(const std::string& text);
 
-/// Throws UsageError unless every time is a finite number of seconds from 0 and there are not too
-/// many. `option` is the option's name, such as `--times`.
-void checkTimes(const std::vector<double>& times, const std::string& option);
+/// `times` after the frames of --before. Throws UsageError unless every time is a finite number of
+/// seconds from 0 and there are not too many. `option` is the option's name, such as `--times`.
+grading::Moments momentsOf(const std::vector<double>& before, const std::vector<double>& times,
+                           const std::string& option);
+/// Adds --before.
+void declareBefore(CLI::App& command, std::vector<double>& before);
 
 struct RenderTarget {
   std::string target; ///< ID of an assignment or part, or a folder of files
   std::string scene;  ///< file; empty: the assignment's scene.json with the part's effects
   Size size;          ///< 0: the scene's
-  std::vector<double> times = {0};
+  grading::Moments times = {0};
   bool solution = false;     ///< an ID stands for the reference
   trace::Request trace = {}; ///< what to record of the passes
   std::string folder = {};   ///< with an ID: these files over the assignment's own
