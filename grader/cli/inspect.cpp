@@ -148,7 +148,7 @@ void addInspect(CLI::App& app) {
                       "Examples:\n"
                       "  ggrade inspect mirror\n"
                       "  ggrade inspect shadow uploads/ada --out out/ada.html\n"
-                      "  ggrade inspect floor --time 2.1 --before 1.9,2\n"
+                      "  ggrade inspect floor --time 2.1 --before 0.2,0.1\n"
                       "  ggrade inspect floor --solution --steps"));
   command->callback([options] { inspect(*options); });
 }

@@ -217,7 +217,7 @@ void addRender(CLI::App& app) {
                       "  ggrade render mirror --out out/mirror\n"
                       "  ggrade render floor --passes --out out/floor\n"
                       "  ggrade render uploads/ada --times 0,0.5,1 --out out/ada\n"
-                      "  ggrade render floor --times 2.1 --before 1.9,2 --out out/later\n"
+                      "  ggrade render floor --times 2.1 --before 0.2,0.1 --out out/later\n"
                       "  ggrade render --out out/homework --size 640x480 -- ./homework --fast"));
   command->callback([options] { render(*options); });
 }

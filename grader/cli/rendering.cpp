@@ -65,7 +65,12 @@ grading::Moments momentsOf(const std::vector<double>& before, const std::vector<
   checkTimes(times, option);
   checkTimes(before, "--before");
   grading::Moments moments(times);
-  for (const double time : before) moments.before.push_back({time});
+  for (const double seconds : before) {
+    moments.before.push_back({seconds});
+    if (times.at(0) - seconds < 0)
+      throw UsageError(say("--before {}: {} {} is less than that after the beginning", seconds,
+                           option, times.at(0)));
+  }
   if (moments.frames() > channel::kMaxFrames)
     throw UsageError(say("{} and --before: {} frames are more than {}", option, moments.frames(),
                          channel::kMaxFrames));
@@ -75,8 +80,8 @@ grading::Moments momentsOf(const std::vector<double>& before, const std::vector<
 void declareBefore(CLI::App& command, std::vector<double>& before) {
   command
       .add_option("--before", before,
-                  say("Frames to draw before, of which nothing is kept: seconds, separated by "
-                      "commas"))
+                  say("Frames to draw before, of which nothing is kept: so many seconds "
+                      "earlier than the first, separated by commas"))
       ->delimiter(',');
 }
 

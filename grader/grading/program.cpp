@@ -283,7 +283,8 @@ std::vector<channel::PlannedFrame> plannedFrames(const Moments& times, std::uint
   std::vector<channel::PlannedFrame> frames;
   for (const rubric::Moment& one : times.before) {
     const bool sized = one.width > 0;
-    frames.push_back({one.time, sized ? one.width : width, sized ? one.height : height, 1});
+    frames.push_back({times.shown.at(0) - one.earlier, sized ? one.width : width,
+                      sized ? one.height : height, 1});
   }
   for (const double time : times.shown) frames.push_back({time, width, height});
   return frames;

@@ -13,9 +13,8 @@ using nlohmann::json;
 
 namespace {
 
-/// A number of seconds from 0.
-bool isTime(const json& value) {
-  return value.is_number() && std::isfinite(value.get<double>()) && value.get<double>() >= 0;
+bool isSeconds(const json& value) {
+  return value.is_number() && std::isfinite(value.get<double>());
 }
 
 bool isSide(const json& value) {
@@ -26,15 +25,15 @@ Moment readMoment(const json& declared, const std::string& where) {
   const auto fail = [&](const std::string& what, const json& value) {
     throw UsageError(fmt::format("{}{}, but is {}", where, what, value.dump()));
   };
-  if (isTime(declared)) return {declared.get<double>()};
+  if (isSeconds(declared)) return {declared.get<double>()};
   if (!declared.is_object())
-    fail(": must be seconds from 0, or {\"time\": seconds, \"size\": [width, height]}", declared);
+    fail(": must be seconds, or {\"seconds\": seconds, \"size\": [width, height]}", declared);
   for (const auto& [key, value] : declared.items())
-    if (key != "time" && key != "size")
-      throw UsageError(fmt::format("{}.{}: there are time and size only", where, key));
-  if (!declared.contains("time") || !isTime(declared["time"]))
-    fail(".time: must be seconds from 0", declared.value("time", json()));
-  Moment moment{declared["time"].get<double>()};
+    if (key != "seconds" && key != "size")
+      throw UsageError(fmt::format("{}.{}: there are seconds and size only", where, key));
+  if (!declared.contains("seconds") || !isSeconds(declared["seconds"]))
+    fail(".seconds: must be a number", declared.value("seconds", json()));
+  Moment moment{declared["seconds"].get<double>()};
   if (!declared.contains("size")) return moment;
   const json& size = declared["size"];
   if (!size.is_array() || size.size() != 2 || !isSide(size[0]) || !isSide(size[1]))
@@ -66,9 +65,9 @@ json toJson(const std::vector<Moment>& before) {
   json all = json::array();
   for (const Moment& one : before)
     if (one.width > 0)
-      all.push_back({{"time", one.time}, {"size", {one.width, one.height}}});
+      all.push_back({{"seconds", one.earlier}, {"size", {one.width, one.height}}});
     else
-      all.push_back(one.time);
+      all.push_back(one.earlier);
   return all;
 }
 
@@ -78,6 +77,11 @@ void checkFrames(const Moments& moments, const std::string& where) {
   if (moments.frames() > channel::kMaxFrames)
     throw UsageError(fmt::format("{}: {} frames, {} of them before, are more than {}", where,
                                  moments.frames(), moments.before.size(), channel::kMaxFrames));
+  for (const Moment& one : moments.before)
+    if (moments.shown[0] - one.earlier < 0)
+      throw UsageError(fmt::format("{}: a frame {} s before the one at {} s would be before the "
+                                   "second 0",
+                                   where, one.earlier, moments.shown[0]));
 }
 
 } // namespace ggrade::rubric

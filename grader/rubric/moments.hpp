@@ -14,7 +14,8 @@ namespace ggrade::rubric {
 
 /// A frame that a program draws before the first one that is looked at.
 struct Moment {
-  double time = 0; ///< seconds
+  double earlier =
+      0; ///< so many seconds before the first one that is looked at; less than 0: later
   /// Of the window in this frame, pixels; 0: as in the frames that are looked at.
   std::uint32_t width = 0, height = 0;
 
@@ -47,13 +48,15 @@ struct Moments {
 /// What tells one row of frames from another: a list of seconds where there is none before it.
 void to_json(nlohmann::json& to, const Moments& moments);
 
-/// As a file declares them: seconds, or `{"time": 1.9, "size": [320, 240]}`. Throws UsageError that
+/// As a file declares them, each by how many seconds earlier it is than the first frame that is
+/// looked at: `0.04`, or `{"seconds": 0.04, "size": [320, 240]}`. Throws UsageError that
 /// begins with `where`, and names the entry and its value.
 std::vector<Moment> readBefore(const nlohmann::json& declared, const std::string& where);
 /// The other way round.
 nlohmann::json toJson(const std::vector<Moment>& before);
 
-/// Throws UsageError that begins with `where`, unless one run can have so many frames.
+/// Throws UsageError that begins with `where`, unless one run can have these frames: not too many,
+/// and none before the second 0.
 void checkFrames(const Moments& moments, const std::string& where);
 
 } // namespace ggrade::rubric

@@ -71,7 +71,7 @@ TEST_P(ExactCode, NoReferenceIsDrawnByApproximations) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, ExactCode,
-                         testing::Values("floor", "shadow_volume", "deferred", "ssao"),
+                         testing::Values("floor", "shadow_volume", "deferred", "ssao", "post"),
                          [](const auto& parameter) { return std::string(parameter.param); });
 
 // The one place where llvmpipe does approximate: it shows that such an instruction is found.

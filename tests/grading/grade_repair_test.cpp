@@ -157,7 +157,7 @@ TEST_P(LongUnfinished, EarnNoMoreWithAMistake) {
 
 INSTANTIATE_TEST_SUITE_P(Of, LongUnfinished,
                          testing::Values("mirror", "shadow", "bloom", "shadow_volume", "targets",
-                                         "figure", "ssao"),
+                                         "figure", "ssao", "antialias", "motion_blur", "afterglow"),
                          [](const auto& one) { return std::string(one.param); });
 
 /// The occlusion's fragment shader holds the work of four steps.

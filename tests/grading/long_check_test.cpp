@@ -287,7 +287,8 @@ TEST(LongCheckTogether, TellsOfWhatGoesWrongWhereAllEffectsAreDrawn) {
 
 INSTANTIATE_TEST_SUITE_P(Of, LongCheck,
                          testing::Values("mirror", "shadow", "bloom", "shadow_volume", "figure",
-                                         "targets", "ssao"),
+                                         "targets", "ssao", "antialias", "motion_blur",
+                                         "afterglow"),
                          [](const auto& info) { return info.param; });
 
 } // namespace

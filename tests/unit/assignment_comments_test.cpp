@@ -34,7 +34,7 @@ std::vector<Assignment> withComments() {
   });
   std::vector<std::string> ids;
   for (const Assignment& assignment : all) ids.push_back(assignment.id);
-  EXPECT_THAT(ids, testing::IsSupersetOf({"deferred", "floor", "shadow_volume", "ssao"}));
+  EXPECT_THAT(ids, testing::IsSupersetOf({"deferred", "floor", "shadow_volume", "ssao", "post"}));
   return all;
 }
 

@@ -38,7 +38,7 @@ std::vector<Assignment> translated() {
   });
   std::vector<std::string> ids;
   for (const Assignment& assignment : all) ids.push_back(assignment.id);
-  EXPECT_THAT(ids, testing::IsSupersetOf({"deferred", "floor", "shadow_volume", "ssao"}));
+  EXPECT_THAT(ids, testing::IsSupersetOf({"deferred", "floor", "shadow_volume", "ssao", "post"}));
   return all;
 }
 

@@ -41,6 +41,11 @@ double deviceZ(double near, double far, double distance) {
   return clip.z / clip.w;
 }
 
+/// What sRGB has of light from 0 to 1.
+double shownAs(double light) {
+  return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
+}
+
 Reckoned mirrorHeight() {
   const glm::dmat4 view = glm::lookAt(glm::dvec3(0, 3, 8), {0, 3, 0}, {0, 1, 0});
   const glm::dmat4 scale = glm::scale(glm::dmat4(1), {1, -1, 1});
@@ -107,11 +112,8 @@ Reckoned bloomShare() {
 }
 
 Reckoned bloomDisplay() {
-  const auto shown = [](double light) {
-    return light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055;
-  };
-  const double inverse = zeroOf([&](double light) { return shown(light) - 0.1; }, 0, 1);
-  return {shown(0 + 0.1), shown(0) + 0.1, inverse};
+  const double inverse = zeroOf([&](double light) { return shownAs(light) - 0.1; }, 0, 1);
+  return {shownAs(0 + 0.1), shownAs(0) + 0.1, inverse};
 }
 
 Reckoned targetsMemory() {
@@ -209,6 +211,104 @@ Reckoned ssaoPoints() {
           1 - double(hidden + unknown) / all};
 }
 
+/// The mean of luma between two pixels' middles, as a linear filter reads it.
+double between(double here, double there, double shift) {
+  return (1 - shift) * here + shift * there;
+}
+
+Reckoned antialiasShift() {
+  // How deep a line from half a pixel in one row to half a pixel in the other still is.
+  const double nearEnd = 2, farEnd = 8, length = nearEnd + farEnd;
+  const auto depth = [&](double at) { return std::lerp(0.5, -0.5, at / length); };
+  return {depth(nearEnd), nearEnd / length, 0.5 - nearEnd / farEnd, depth(farEnd)};
+}
+
+Reckoned antialiasBlend() {
+  return {between(0.2, 0.8, 0.3), between(0.8, 0.2, 0.3), between(0.2, 0.8, 0.5),
+          between(0.2, 0.8, 0)};
+}
+
+Reckoned antialiasSingle() {
+  const double luma[3][3] = {{0.8, 0.2, 0.8}, {0.8, 0.2, 0.8}, {0.8, 0.2, 0.8}};
+  const double weight[3][3] = {{1, 2, 1}, {2, 0, 2}, {1, 2, 1}};
+  double sum = 0, weights = 0;
+  for (int y = 0; y < 3; ++y)
+    for (int x = 0; x < 3; ++x) sum += weight[y][x] * luma[y][x], weights += weight[y][x];
+  const double difference = std::abs(sum / weights - luma[1][1]), contrast = 0.8 - 0.2;
+  const auto smooth = [](double x) { return x * x * (3 - 2 * x); };
+  const auto squared = [](double x) { return x * x; };
+  return {0.75 * squared(smooth(difference / contrast)), 0.75 * smooth(difference / contrast),
+          0.75 * squared(difference / contrast), 0.75 * squared(smooth(difference))};
+}
+
+Reckoned antialiasLinear() {
+  const auto lightOf = [](double shown) {
+    return zeroOf([&](double light) { return shownAs(light) - shown; }, 0, 1);
+  };
+  return {lightOf(0.3) - lightOf(0.2), 0.3 - 0.2, lightOf(0.3)};
+}
+
+Reckoned motionBlurPixels() {
+  const glm::dvec4 now(1.2, 0, 0, 2), last(0.4, 0, 0, 1);
+  const auto pixel = [](double x) { return 480 * (0.5 * x + 0.5); };
+  const double moved = pixel(now.x / now.w) - pixel(last.x / last.w);
+  return {moved, 2 * moved, pixel(now.x) - pixel(last.x), -moved};
+}
+
+Reckoned motionBlurSample() {
+  const double path = 24, samples = 4, piece = path / samples;
+  const double begin = -path / 2 + 2 * piece; // of the third piece
+  return {begin + piece / 2, begin + piece / 2 + path / 2, begin, 2 * path};
+}
+
+Reckoned motionBlurGems() {
+  const double velocity = 6;
+  const int samples = 16;
+  double place = 0;
+  for (int i = 1; i < samples; ++i) place += velocity;
+  return {place, samples * velocity, velocity};
+}
+
+Reckoned motionBlurLight() {
+  const auto toned = [](double light) { return 1 - std::exp(-light); };
+  const double mean = 0.25 * 8;
+  return {shownAs(toned(mean)), 0.25 * shownAs(toned(8)), toned(mean)};
+}
+
+Reckoned afterglowLeft() {
+  const double tau = 0.25, frame = 1 / 50.0;
+  double left = 1;
+  for (int i = 0; i < 25; ++i) left *= std::exp(-frame / tau); // half a second
+  return {left, std::exp(-frame / tau), std::exp(-0.5), std::pow(0.5, 0.5 / tau)};
+}
+
+Reckoned afterglowGhost() {
+  int greatest = 0, whole = 0;
+  for (int v = 0; v <= 255; ++v) {
+    if (std::lround(0.96 * v) == v) greatest = std::max(greatest, v);
+    if (v - 0.96 * v < 1 + 1e-9) whole = v;
+  }
+  return {double(greatest), double(whole), 0};
+}
+
+Reckoned afterglowTau() {
+  const auto tau = [](double framesASecond) {
+    return zeroOf([&](double t) { return std::exp(-1 / framesASecond / t) - 0.9; }, 1e-3, 10);
+  };
+  return {tau(30), tau(60), 1 / tau(30)};
+}
+
+Reckoned afterglowSum() {
+  double light = 0, second = 0;
+  for (int frame = 1; frame <= 1000; ++frame) {
+    light = 1 + 0.875 * light;
+    if (frame == 2) second = light;
+  }
+  double greater = 0;
+  for (int frame = 1; frame <= 1000; ++frame) greater = std::max(1.0, 0.875 * greater);
+  return {light, second, greater};
+}
+
 const std::map<std::string, Reckoned (*)()> kReckoned = {
     {"mirror.height", mirrorHeight},
     {"mirror.lookup",
@@ -239,6 +339,18 @@ const std::map<std::string, Reckoned (*)()> kReckoned = {
     {"ssao.open", ssaoOpen},
     {"ssao.distance", ssaoDistance},
     {"ssao.points", ssaoPoints},
+    {"antialias.shift", antialiasShift},
+    {"antialias.blend", antialiasBlend},
+    {"antialias.single", antialiasSingle},
+    {"antialias.linear", antialiasLinear},
+    {"motion_blur.pixels", motionBlurPixels},
+    {"motion_blur.sample", motionBlurSample},
+    {"motion_blur.gems", motionBlurGems},
+    {"motion_blur.light", motionBlurLight},
+    {"afterglow.left", afterglowLeft},
+    {"afterglow.ghost", afterglowGhost},
+    {"afterglow.sum", afterglowSum},
+    {"afterglow.tau", afterglowTau},
 };
 
 TEST(QuizNumbers, AreWhatComesOutOfReckoning) {

@@ -46,7 +46,8 @@ TEST(Quizzes, EveryPartHasSixQuestionsAWriteUpAndTwoExercises) {
     EXPECT_THAT(one.quiz.writeUp, HasSubstr("3 to 5 sentences")) << one.part.id;
   }
   EXPECT_THAT(parts, testing::IsSupersetOf({"mirror", "shadow", "bloom", "targets", "figure",
-                                            "shadow_volume", "ssao"}));
+                                            "shadow_volume", "ssao", "antialias", "motion_blur",
+                                            "afterglow"}));
 }
 
 TEST(Quizzes, HaveOneRightAnswerAndAReasonForEach) {
