@@ -14,7 +14,7 @@ function(grading_test_program name)
 endfunction()
 grading_test_program(grading_test TIMEOUT 300 COST 120 SOURCES
   grade_bloom_test.cpp grade_carry_test.cpp grade_catalogue_test.cpp grade_deferred_test.cpp grade_faults_test.cpp
-  grade_repair_test.cpp grade_same_test.cpp grade_scores_test.cpp grade_shadow_test.cpp grade_together_test.cpp grade_unsteady_test.cpp
+  grade_moments_test.cpp grade_repair_test.cpp grade_same_test.cpp grade_scores_test.cpp grade_shadow_test.cpp grade_together_test.cpp grade_unsteady_test.cpp
   long_catalogue_test.cpp long_same_test.cpp)
 # The rubrics' own filters, to compose a frame from its passes.
 target_sources(grading_test PRIVATE $<TARGET_OBJECTS:ggrade_rubrics>)
