@@ -1,0 +1,7 @@
+#version 410 core
+// One triangle that covers the whole of what is drawn into. It needs no vertex data.
+
+void main() {
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1); // (0,0) (1,0) (0,1)
+  gl_Position = vec4(4.0 * corner - 1.0, 0, 1);
+}
