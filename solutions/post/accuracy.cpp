@@ -30,7 +30,9 @@ double encoded(double light) {
 /// The truth of a scene in which nothing has been drawn.
 Image truthOf(const std::string& part, const json& scene, double time, const json& told = {}) {
   const auto size = scene.at("size").get<std::vector<int>>();
-  return truth::judgeOf(part)({scene, time, Image(size[0], size[1], 4), nullptr, told}).truth;
+  return truth::judgeOf(part)(
+             {.scene = scene, .time = time, .window = Image(size[0], size[1], 4), .truth = told})
+      .truth;
 }
 
 /// Without shading: what an object is lit by is its own colour.
@@ -150,8 +152,11 @@ truth::Judgement ask(const std::string& part, const json& patch, double time,
   times.push_back(time);
   const extremes::Drawn drawn = extremes::draw("post", scene, times);
   // The trace is of all frames, judges look at its first.
-  truth::Judgement answer = truth::judgeOf(part)(
-      {scene, time, drawn.frames.back(), before.empty() ? &drawn.trace : nullptr, told});
+  truth::Judgement answer = truth::judgeOf(part)({.scene = scene,
+                                                  .time = time,
+                                                  .window = drawn.frames.back(),
+                                                  .trace = before.empty() ? &drawn.trace : nullptr,
+                                                  .truth = told});
   std::cout << patch.dump();
   for (const truth::Error& error : answer.errors) {
     std::cout << "; " << error.name << " " << error.value;

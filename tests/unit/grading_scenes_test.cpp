@@ -185,39 +185,40 @@ TEST_F(Scenes, HaveFramesBeforeTheFirstOneThatIsLookedAt) {
   json like = scene("c", {{"camera", {{"fov", 0.5}}}});
   like.erase("times");
   like["like"] = "a";
-  const json own = withBefore(like, {0.25}); // also named c: it is drawn alone
-  const json a = withBefore(scene("a", kLight), {1.9, {{"time", 2}, {"size", {320, 240}}}});
+  const json own = withBefore(like, {0.15}); // also named c: it is drawn alone
+  const json a = withBefore(scene("a", kLight), {0.3, {{"seconds", 0.25}, {"size", {320, 240}}}});
   const ScenePlan plan = draw(file({a, scene("b", kLight), like}));
   const Moments& times = plan.scenes[0].times;
-  EXPECT_THAT(times.before, ElementsAre(Moment{1.9}, Moment{2, 320, 240}));
+  EXPECT_THAT(times.before, ElementsAre(Moment{0.3}, Moment{0.25, 320, 240}));
   EXPECT_THAT(times.shown, ElementsAre(0.5));
   EXPECT_EQ(times.frames(), 3u);
   EXPECT_THAT(plan.scenes[1].times.before, testing::IsEmpty());
   EXPECT_EQ(plan.scenes[2].times, times.first()) << "as the one that it is like";
-  EXPECT_EQ(draw(file({a, own})).scenes[1].times, Moments({{0.25}}, {0.5}));
+  EXPECT_EQ(draw(file({a, own})).scenes[1].times, Moments({{0.15}}, {0.5}));
 
   // What else is drawn stays as it was, and what tells plans apart sees them.
   const ScenePlan without = draw(file({scene("a", kLight), scene("b", kLight), like}));
   EXPECT_EQ(plan.scenes[0].scene, without.scenes[0].scene);
   EXPECT_NE(describe(plan), describe(without));
   EXPECT_EQ(json(without.scenes[0].times), json({0.5}));
-  EXPECT_EQ(json(times).dump(), R"({"before":[1.9,{"size":[320,240],"time":2.0}],"times":[0.5]})");
+  EXPECT_EQ(json(times).dump(),
+            R"({"before":[0.3,{"seconds":0.25,"size":[320,240]}],"times":[0.5]})");
   EXPECT_EQ(rubric::readBefore(rubric::toJson(times.before), "x"), times.before);
 }
 
 TEST_F(Scenes, FramesBeforeAreDrawnByTheSeed) {
-  const json before = {{{"between", {1.0, 2.0}}},
-                       {{"time", 3}, {"size", {{"choose", {{32, 24}, {24, 32}}}}}}};
+  const json before = {{{"between", {0.1, 0.4}}},
+                       {{"seconds", 0}, {"size", {{"choose", {{32, 24}, {24, 32}}}}}}};
   std::set<double> times;
   std::set<std::uint32_t> widths;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const ScenePlan plan = draw(file({withBefore(scene("a", kLight), before)}), {seed});
-    times.insert(plan.scenes[0].times.before[0].time);
+    times.insert(plan.scenes[0].times.before[0].earlier);
     widths.insert(plan.scenes[0].times.before[1].width);
   }
   EXPECT_EQ(times.size(), 20u);
-  EXPECT_THAT(*times.begin(), Ge(1));
-  EXPECT_THAT(*times.rbegin(), Le(2));
+  EXPECT_THAT(*times.begin(), Ge(0.1));
+  EXPECT_THAT(*times.rbegin(), Le(0.4));
   EXPECT_THAT(widths, ElementsAre(24, 32));
 }
 
@@ -229,37 +230,40 @@ TEST_F(Scenes, MistakesInFramesBeforeNameSceneAndValue) {
     return AllOf(HasSubstr("scenes.json: late: "), HasSubstr(what));
   };
   EXPECT_THAT(of(1.9), names("before: must be a list of frames, but is 1.9"));
-  EXPECT_THAT(of({1, "soon"}), names("before[1]: must be seconds from 0, or {\"time\": seconds, "
+  EXPECT_THAT(of({1, "soon"}), names("before[1]: must be seconds, or {\"seconds\": seconds, "
                                      "\"size\": [width, height]}, but is \"soon\""));
-  EXPECT_THAT(of({-0.5}), names("before[0]: must be seconds from 0"));
+  EXPECT_THAT(of({0.75}),
+              names("a frame 0.75 s before the one at 0.5 s would be before the second 0"));
+  EXPECT_NO_THROW(draw(file({withBefore(scene("late", kLight), {-0.5})})))
+      << "the clock is put back";
   EXPECT_THAT(of({true}), names("but is true"));
-  EXPECT_THAT(of({{{"size", {3, 4}}}}),
-              names("before[0].time: must be seconds from 0, but is null"));
-  EXPECT_THAT(of({{{"time", -1}}}), names("before[0].time: must be seconds from 0, but is -1"));
-  EXPECT_THAT(of({{{"time", 1}, {"at", 2}}}), names("before[0].at: there are time and size only"));
+  EXPECT_THAT(of({{{"size", {3, 4}}}}), names("before[0].seconds: must be a number, but is null"));
+  EXPECT_THAT(of({{{"seconds", "1"}}}), names("before[0].seconds: must be a number, but is \"1\""));
+  EXPECT_THAT(of({{{"seconds", 0}, {"at", 2}}}),
+              names("before[0].at: there are seconds and size only"));
   for (const json& size : {json({-3, 4}), json({3}), json({3, 4.5}), json({0, 4}), json({3, 20000}),
                            json("large"), json({3, "4"})})
-    EXPECT_THAT(of({{{"time", 1}, {"size", size}}}),
+    EXPECT_THAT(of({{{"seconds", 0}, {"size", size}}}),
                 names("before[0].size: must be two whole numbers of pixels, 1 to 16384, but is " +
                       size.dump()));
-  EXPECT_THAT(of(std::vector<double>(64, 1)),
+  EXPECT_THAT(of(std::vector<double>(64, 0.1)),
               names("65 frames, 64 of them before, are more than 64"));
-  EXPECT_NO_THROW(draw(file({withBefore(scene("late", kLight), std::vector<double>(63, 1))})));
+  EXPECT_NO_THROW(draw(file({withBefore(scene("late", kLight), std::vector<double>(63, 0.1))})));
 }
 
 TEST_F(Scenes, HandoutPicturesHaveFramesBefore) {
   const json settings = {{"times", {0.5}},
                          {"before", {0.25}},
-                         {"steps", {{"mirror.6", {{"before", {0.75}}, {"size", {48, 36}}}}}}};
+                         {"steps", {{"mirror.6", {{"before", {0.4}}, {"size", {48, 36}}}}}}};
   const Part& part = target_.parts[0];
   EXPECT_EQ(grading::handoutTimes(part, settings, 0), Moments({{0.25}}, {0.5}));
-  EXPECT_EQ(grading::handoutTimes(part, settings, 6), Moments({{0.75}}, {0.5}));
+  EXPECT_EQ(grading::handoutTimes(part, settings, 6), Moments({{0.4}}, {0.5}));
   EXPECT_FALSE(grading::handoutScene(target_.assignment, part, settings, 6).contains("before"));
   EXPECT_EQ(grading::handoutTimes(part, {{"times", {0.5, 1}}}, 6), Moments({0.5, 1}));
   EXPECT_THAT(messageOf<UsageError>([&] {
                 grading::handoutTimes(settings, {{"before", {"x"}}}, "together");
               }),
-              HasSubstr("handout.json: together: before[0]: must be seconds from 0"));
+              HasSubstr("handout.json: together: before[0]: must be seconds, or"));
 }
 
 TEST_F(Scenes, QualityLeavesOutOrDrawsAnew) {

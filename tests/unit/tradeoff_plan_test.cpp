@@ -119,9 +119,9 @@ TEST_F(TradeoffPlan, ANumbersSecondSceneHasFilesOfItsOwn) {
 TEST_F(TradeoffPlan, ASceneHasFramesBefore) {
   json text = good();
   EXPECT_THAT(read(text).sweeps[0].before, testing::IsEmpty());
-  scene(text)["before"] = {0.25, {{"time", 0.4}, {"size", {32, 24}}}};
+  scene(text)["before"] = {0.25, {{"seconds", 0.1}, {"size", {32, 24}}}};
   EXPECT_THAT(read(text).sweeps[0].before,
-              ElementsAre(rubric::Moment{0.25}, rubric::Moment{0.4, 32, 24}));
+              ElementsAre(rubric::Moment{0.25}, rubric::Moment{0.1, 32, 24}));
 }
 
 TEST_F(TradeoffPlan, SaysWhatIsBest) {
