@@ -30,11 +30,20 @@ struct SmaaPreset {
 inline constexpr SmaaPreset kSmaaPresets[] = {
     {0.15f, 4, 0, 1}, {0.1f, 8, 0, 1}, {0.1f, 16, 8, 0.25f}, {0.05f, 32, 16, 0.25f}};
 
+inline void makeTable(const gg::Texture& texture, Unit unit, GLint filter, const Table& table) {
+  makeStorage(texture, unit, GL_RG8, filter, table.size);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, table.size.x, table.size.y, GL_RG, GL_FLOAT,
+                  table.texels.data());
+}
+
 // SMAA or MLAA. Both find edges, then weights by the edges' shapes, then blend.
 struct Shapes {
   explicit Shapes(Method method)
       : weights({"screen.vert", method == kSmaa ? "smaa_weights.frag" : "mlaa_weights.frag"}) {
-    if (method == kSmaa) tables.emplace();
+    if (method != kSmaa) return;
+    tables.emplace();
+    makeTable(tables->areas, kAreas, GL_LINEAR, areaTable());
+    makeTable(tables->search, kSearch, GL_NEAREST, searchTable());
   }
 
   gg::Program edges{{"screen.vert", "smaa_edges.frag"}};
@@ -62,21 +71,12 @@ struct Antialias {
   Target picture; // as displayed; alpha: luma
 };
 
-inline void makeTable(const gg::Texture& texture, Unit unit, GLint filter, const Table& table) {
-  makeStorage(texture, unit, GL_RG8, filter, table.size);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, table.size.x, table.size.y, GL_RG, GL_FLOAT,
-                  table.texels.data());
-}
-
 inline void makeAntialias(const Antialias& antialias, const glm::ivec2& size) {
   makeTarget(antialias.picture, kPicture, GL_RGBA8, GL_LINEAR, size, "picture");
   if (!antialias.shapes) return;
   const Shapes& shapes = *antialias.shapes;
   makeTarget(shapes.edgesTarget, kEdges, GL_RG8, GL_LINEAR, size, "edges");
   makeTarget(shapes.weightsTarget, kWeights, GL_RGBA8, GL_NEAREST, size, "weights");
-  if (!shapes.tables) return;
-  makeTable(shapes.tables->areas, kAreas, GL_LINEAR, areaTable());
-  makeTable(shapes.tables->search, kSearch, GL_NEAREST, searchTable());
 }
 
 // Draws the picture in unit kPicture into the window, with smooth edges.

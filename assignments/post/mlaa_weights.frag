@@ -1,7 +1,8 @@
 #version 410 core
-// How much pixels take of their neighbours (MLAA: Reshetov, "Morphological Antialiasing", 2009). Each
-// edge is followed to its ends; by what crosses it there it is the middle of a Z, a U or an L, and a
-// line is laid through these shapes. A pixel takes of its neighbour what the line cuts off it.
+// How much pixels take of their neighbours (MLAA: Reshetov, "Morphological Antialiasing", 2009).
+// Each edge is followed to its ends; by what crosses it there it is the middle of a Z, a U or an
+// L, and a line is laid through these shapes. A pixel takes of its neighbour what the line cuts
+// off it.
 
 uniform sampler2D uEdges; // red: on the pixel's left, green: below it
 

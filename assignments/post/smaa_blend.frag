@@ -26,8 +26,8 @@ void main() {
   // TODO(antialias.6): blend, along the row or along the column.
   //   Given:  leftRight and belowAbove, 0 to 1; pictureAt(), which blends two pixels by itself: a
   //           quarter of a pixel to the left it gives 3/4 of this pixel and 1/4 of the left one.
-  //   Goal:   the pair with the greatest weight counts, along the column if both have it. The picture
-  //           at both of its places, as far away as the weight, weighted by these weights. Where all
-  //           are 0, the picture stays.
+  //   Goal:   the pair with the greatest weight counts, along the column if both have it. The
+  //           picture at both of its places, as far away as the weight, weighted by these weights.
+  //           Where all are 0, the picture stays.
   //   Expect: with quality.antialias 1, smooth edges.                     (antialias.md, step 6)
 }

@@ -1,6 +1,7 @@
 #version 410 core
-// Which borders of a pixel are edges (first pass of SMAA: Jimenez, Echevarria, Sousa and Gutierrez,
-// 2012; of MLAA, too). What has none is discarded, so that an occlusion query tells if there is any.
+// Which borders of a pixel are edges (first pass of SMAA: Jimenez, Echevarria, Sousa and
+// Gutierrez, 2012; of MLAA, too). What has none is discarded, so that an occlusion query tells if
+// there is any.
 
 uniform sampler2D uPicture;   // as displayed; alpha: luma
 uniform float uThreshold;     // luma must differ by so much across an edge

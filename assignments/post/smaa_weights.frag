@@ -8,10 +8,11 @@ uniform sampler2D uAreas;   // what lines cut off (smaa_tables.hpp); a linear fi
 uniform sampler2D uSearch;  // how a search ends (smaa_tables.hpp)
 uniform int uSteps;         // of a search along a row or column, to each side, two pixels each
 uniform int uDiagonalSteps; // of a search along a diagonal, one pixel each; 0: no diagonals
-uniform float uRounding;    // how round corners become: 0 not at all, 1 as the lines would have them
+uniform float uRounding;    // how round corners become: 0 not at all, 1 as the lines would
+                            // have them
 
-// Between this pixel and the one below it: red, how much this one takes of that one, green, that one
-// of this one. Blue and alpha: the same between this pixel and the one on its left.
+// Between this pixel and the one below it: red, how much this one takes of that one, green, that
+// one of this one. Blue and alpha: the same between this pixel and the one on its left.
 layout(location = 0) out vec4 oWeights;
 
 // All is written for edges below pixels. For those on their left, rows and columns change places.
@@ -36,7 +37,8 @@ float search(float side) {
   int looks = 0;
   for (; looks < uSteps && seen.g > 26.5 / 32.0 && seen.r == 0.0; ++looks)
     seen = edgesAt(vec2(first + side * 2.0 * float(looks), -0.125));
-  vec2 counted = round(2.0 * texelFetch(uSearch, ivec2(round(32.0 * seen)), 0).rg); // by the last look
+  ivec2 sums = ivec2(round(32.0 * seen));
+  vec2 counted = round(2.0 * texelFetch(uSearch, sums, 0).rg); // by the last look
   // To the left, the first look saw this pixel, too.
   return 2.0 * float(looks - 1) + (side < 0.0 ? counted.r - 1.0 : counted.g);
 }
@@ -96,7 +98,8 @@ vec2 diagonal() {
   if (up.end)
     ends.x = 2.0 * stairsAt(vec2(-steps.x - 1.0, steps.x)).g + stairsAt(vec2(-steps.x, steps.x)).r;
   if (down.end)
-    ends.y = 2.0 * stairsAt(vec2(steps.y + 1.0, -steps.y)).g + stairsAt(vec2(steps.y + 1.0, -steps.y - 1.0)).r;
+    ends.y = 2.0 * stairsAt(vec2(steps.y + 1.0, -steps.y)).g +
+             stairsAt(vec2(steps.y + 1.0, -steps.y - 1.0)).r;
 
   // The table's right half, from the left end to the right one.
   vec2 place = 20.0 * round(ends) + steps;

@@ -141,11 +141,11 @@ TEST_P(PostMotionBlur, WhatWasBehindTheEye) {
 }
 
 TEST_P(PostMotionBlur, WhatWasBesideTheEye) {
-  // A face of the box, seen straight on, lay in the eye's own plane a frame before: its last w is 0
-  // but for rounding.
+  // A face of the box, seen straight on, lay in the eye's own plane a frame before, but for a
+  // hundred thousandth: its last w is hardly more than 0.
   const double turned = 0.5, way = 1.2; // of the box: radians, units to either side
   const glm::dvec3 normal(std::sin(turned), 0, std::cos(turned));
-  const glm::dvec3 eye = glm::dvec3(-way, 0.42, 0.6) + (0.25 + 2 * way * normal.x) * normal;
+  const glm::dvec3 eye = glm::dvec3(-way, 0.42, 0.6) + (0.25 + 2 * way * normal.x + 1e-5) * normal;
   const double moment = 1.4 * std::asin(way / 1.6) / (2 * std::acos(-1.0)); // seconds
   const json look = {{"camera",
                       {{"position", {eye.x, eye.y, eye.z}},
