@@ -139,7 +139,8 @@ private:
       throw NotRepaired("the program " + taped.capture.tapeRefused);
     const tape::Tape tape = tape::read(taped.capture.tape);
     taped.capture.tape.clear();
-    repair::Comparison comparison = repair::compare(tape, own_.reference(index));
+    repair::Comparison comparison =
+        repair::compare(tape, own_.reference(index), scene.times.before.size());
     const double distance = farOff(taped.capture, scene);
     return {index,
             std::move(taped.capture),

@@ -48,7 +48,8 @@ void forEach(json& value, const std::string& key, const std::function<void(json&
 
 class Comparing {
 public:
-  Comparing(const tape::Tape& submission, const tape::Tape& reference) {
+  Comparing(const tape::Tape& submission, const tape::Tape& reference, std::size_t before)
+      : before_(before) {
     result_.tape.blobs = submission.blobs;
     reference_ = reference.commands;
     mergeBlobs(reference);
@@ -97,6 +98,7 @@ public:
           pair.commands, [](const CommandPair& both) { return both.one && both.other; });
       first_ = std::nullopt;
       if (shared != pair.commands.end()) first_ = ordinals.at(*shared->one);
+      isSeen_ = pair.other.frame >= before_;
       comparePass(pair);
     }
     for (auto& [unit, difference] : found_) {
@@ -199,7 +201,7 @@ private:
     Difference& difference = found_[{role_, unit}];
     difference.unit = {role_, unit};
     difference.shaders.insert(shaders_);
-    if (first_) difference.passes.insert(*first_);
+    if (first_ && isSeen_) difference.passes.insert(*first_);
     difference.patch.push_back({{"op", at ? "replace" : "add"}, {"path", path}, {"value", value}});
     if (at) own_[difference.unit].insert(ownValue(unit, where.back(), *at));
   }
@@ -452,6 +454,8 @@ private:
   Programs programs_{result_.tape.blobs};
   std::string role_;                 ///< of the pass that is being compared
   std::optional<std::size_t> first_; ///< its ordinal in the submission
+  bool isSeen_ = true;               ///< is it of a frame that is looked at?
+  const std::size_t before_;         ///< frames that nobody looks at
   std::string shaders_;              ///< of the draw that is being compared
   bool isPutIn_ = false;             ///< which the submission hasn't got
   std::map<Unit, Difference> found_;
@@ -481,8 +485,8 @@ bool isState(const std::string& unit) {
                               [&](const char* kind) { return unit.starts_with(kind); });
 }
 
-Comparison compare(const tape::Tape& submission, const tape::Tape& reference) {
-  return Comparing(submission, reference).run();
+Comparison compare(const tape::Tape& submission, const tape::Tape& reference, std::size_t before) {
+  return Comparing(submission, reference, before).run();
 }
 
 } // namespace ggrade::repair

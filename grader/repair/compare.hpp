@@ -21,7 +21,7 @@ struct Unit {
 
 struct Difference {
   Unit unit;
-  std::set<std::size_t> passes;                   ///< of the submission, counted within a frame
+  std::set<std::size_t> passes; ///< of the submission, counted within a frame that is looked at
   nlohmann::json patch = nlohmann::json::array(); ///< RFC 6902, of Comparison::tape's commands
   /// It puts in draws with shaders that the submission draws nothing with in such passes, nor
   /// anything else in their place.
@@ -73,6 +73,8 @@ inline bool isShader(const std::string& unit) {
 bool isState(const std::string& unit);
 
 /// Throws nlohmann::json::exception for a tape that isn't made as tapes are.
-Comparison compare(const tape::Tape& submission, const tape::Tape& reference);
+/// \param before so many first frames nobody looks at; what they differ in counts as well
+Comparison compare(const tape::Tape& submission, const tape::Tape& reference,
+                   std::size_t before = 0);
 
 } // namespace ggrade::repair

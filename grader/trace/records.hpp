@@ -150,8 +150,10 @@ struct MatrixRecord {
 /// draws, whose samples are what it reads.
 struct SampleRecord {
   std::uint32_t unit;
-  ImageRef image;       ///< of the base level
-  std::uint32_t writer; ///< the pass that drew it last, maybe of an earlier frame; kNone: uploaded
+  ImageRef image; ///< of the base level
+  /// The pass that drew it last, maybe of an earlier frame; kNone: uploaded, or drawn in a frame
+  /// that nobody looks at.
+  std::uint32_t writer;
   std::uint32_t feedback;   ///< 1: it is also drawn into by this pass
   std::uint32_t incomplete; ///< 1: not a complete texture; sampling gives (0,0,0,1)
   std::uint32_t sampler; ///< name of the sampler object whose settings count; 0: the texture's own

@@ -216,6 +216,8 @@ TEST_F(BadInput, OptionsThatMakeNoSense) {
     expectRefusal(render("--size", size), AllOf(HasSubstr(size), HasSubstr("640x480")));
   for (const char* times : {"soon", "0,later", "-1", "nan", "inf"})
     expectRefusal(render("--times", times), HasSubstr("--times"));
+  for (const char* before : {"soon", "0,later", "-1", "nan"})
+    expectRefusal(render("--before", before), HasSubstr("--before"));
   expectRefusal({"grade", "mirror", kSource / "assignments/floor", "--seed", "-1", "--out", out_},
                 HasSubstr("--seed"));
   expectRefusal(
@@ -233,6 +235,9 @@ TEST_F(BadInput, MoreFramesThanFit) {
   for (int i = 1; i < 65; ++i) times += "," + std::to_string(i);
   expectRefusal({"render", "floor", "--times", times, "--out", out_},
                 AllOf(HasSubstr("--times"), HasSubstr("64")));
+  times.resize(times.rfind(','));
+  expectRefusal({"render", "floor", "--times", "5", "--before", times, "--out", out_},
+                AllOf(HasSubstr("--before"), HasSubstr("65 frames are more than 64")));
 }
 
 TEST_F(BadInput, UnknownOptionsAndCommands) {

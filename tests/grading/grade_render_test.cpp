@@ -81,6 +81,18 @@ TEST_F(Render, AFolderOfWhatWasChangedGoesOverTheHandedOutFiles) {
   EXPECT_THAT(both.errors, HasSubstr("name either a folder or --solution"));
 }
 
+TEST_F(Render, NothingIsKeptOfFramesBefore) {
+  ASSERT_EQ(
+      frames({"mirror", "--size", "80x60", "--times", "0.5", "--before", "0.25,0.375", "--passes"})
+          .size(),
+      1u);
+  const json trace = this->trace();
+  ASSERT_EQ(trace.at("frames").size(), 1u);
+  EXPECT_EQ(trace.at("frames")[0].at("time"), 0.5);
+  EXPECT_EQ(trace.at("frames")[0].at("first_pass"), 0);
+  EXPECT_EQ(trace.at("frames")[0].at("pass_count"), trace.at("passes").size());
+}
+
 TEST_F(Render, TraceSaysWhatWasDrawn) {
   ASSERT_EQ(frames({"mirror", "--solution", "--size", "160x120", "--times", "0.5,0,2.25"}).size(),
             3u);

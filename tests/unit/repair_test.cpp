@@ -74,6 +74,27 @@ TEST(Repair, NamesPassAndUnitAndPatchesThem) {
   EXPECT_EQ(patched[6]["uniforms"]["uLight"]["values"], json({1.0}));
 }
 
+/// Frames that nobody looks at are compared and patched like the others; only the passes that are
+/// told are not theirs.
+TEST(Repair, PassesAreThoseOfFramesThatAreLookedAt) {
+  const auto twice = [](tape::Tape tape) {
+    const json once = tape.commands;
+    tape.commands.insert(tape.commands.end(), once.begin() + 2, once.end());
+    return tape;
+  };
+  tape::Tape submission = twice(reference());
+  const auto light = [&](std::size_t command) -> json& {
+    return submission.commands[command]["uniforms"]["uLight"]["values"];
+  };
+  light(3) = {0.5}; // in the first frame alone
+  EXPECT_THAT(names(compare(submission, twice(reference()))), ElementsAre("0 uniform uLight"));
+  EXPECT_THAT(names(compare(submission, twice(reference()), 1)), ElementsAre("- uniform uLight"));
+  light(9) = {0.25}; // and in the second
+  const Comparison both = compare(submission, twice(reference()), 1);
+  EXPECT_THAT(names(both), ElementsAre("0 uniform uLight"));
+  EXPECT_EQ(both.differences[0].patch.size(), 2u);
+}
+
 TEST(Repair, AFunctionIsAUnitAndSoIsTheShader) {
   std::string source = kShader;
   source.replace(source.find("p.z < uBias"), 11, "p.z > uBias");
