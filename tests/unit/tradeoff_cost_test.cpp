@@ -82,7 +82,7 @@ TEST(TradeoffCost, IsNeverBelowZero) {
 }
 
 TEST(TradeoffCost, NeedsPairsUntilItIsKnownToATenthOfTheFrame) {
-  Pairs pairs{{20, 20, 20, 20, 20}, {10, 10, 10, 10, 10}};
+  Pairs pairs{{20, 20, 20, 20, 20}, {10, 10, 10, 10, 10}}; // 2 is a tenth and a fifth
   EXPECT_TRUE(needsMore(pairs)) << "five say nothing yet";
   pairs.with.push_back(21.9);
   pairs.without.push_back(10);
@@ -95,6 +95,13 @@ TEST(TradeoffCost, NeedsPairsUntilItIsKnownToATenthOfTheFrame) {
     pairs.without.push_back(10);
   }
   EXPECT_FALSE(needsMore(pairs)) << "of nine, one is left out at either end";
+}
+
+TEST(TradeoffCost, NeedsPairsUntilItIsKnownToAFifthOfItself) {
+  const std::vector<double> without(6, 90);
+  EXPECT_FALSE(needsMore({{100, 100, 100, 100, 101, 101.9}, without})) << "1.9 of 10";
+  EXPECT_TRUE(needsMore({{100, 100, 100, 100, 101, 102.1}, without})) << "2.1 of 10";
+  EXPECT_FALSE(needsMore({{89, 90, 90, 91, 91, 92.1}, without})) << "it may be nothing";
 }
 
 TEST(TradeoffCost, IsBelowWhatItIsKnownToBe) {

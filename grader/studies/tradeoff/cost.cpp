@@ -34,7 +34,8 @@ Interval differences(const Pairs& pairs) {
 }
 
 bool isNarrow(const Interval& interval, double whole) {
-  return interval.high - interval.low < kNarrow * whole;
+  const double width = interval.high - interval.low;
+  return width < kNarrow * whole && (interval.low <= 0 || width < kNarrowOfCost * interval.median);
 }
 
 /// Two digits, none of them less than there is.

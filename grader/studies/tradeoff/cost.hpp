@@ -8,8 +8,11 @@
 
 namespace ggrade::tradeoff {
 
-/// A cost is known well enough if its interval is narrower than this share of the whole frame.
+/// A cost is known well enough if its interval is narrower than this share of the whole frame, ...
 inline constexpr double kNarrow = 0.1;
+/// ... and, unless it reaches down to 0, than this share of the cost: two runs then agree to within
+/// half of it.
+inline constexpr double kNarrowOfCost = 0.2;
 /// Of fewer pairs no interval holds the median with 95%: the whole sample holds it with
 /// 1 - 2 / 2^pairs.
 inline constexpr unsigned kLeastPairs = 6;
@@ -29,7 +32,7 @@ Interval medianInterval(std::vector<double> values);
 
 /// Runs with and without a part, by turns: with[i] and without[i] are neighbours in time.
 struct Pairs {
-  std::vector<double> with, without; ///< of each run, the median of its frames
+  std::vector<double> with, without; ///< of each run, its least frame
 };
 
 /// The median of the pairs' differences, and its interval. A part takes no time back: what noise
@@ -37,7 +40,7 @@ struct Pairs {
 struct Cost {
   double median = 0, low = 0, high = 0;
   double whole = 0;    ///< of the whole frame with the part (median)
-  bool narrow = false; ///< see kNarrow
+  bool narrow = false; ///< see kNarrow, kNarrowOfCost
 
   /// The interval holds 0: it is known only that the cost is not above `high`.
   bool hidden() const { return low <= 0; }

@@ -210,8 +210,8 @@ std::string roundsText(const std::vector<Point>& points, const Effort& effort) {
   const auto wide = std::ranges::count_if(points, [](const Point& p) { return !p.cost.narrow; });
   if (wide == 0) return "";
   return gg::say("Of {} of {} settings the cost is known less well: after {} rounds the interval "
-                 "is still wider than {:.0f}% of the whole frame.",
-                 wide, points.size(), effort.rounds, 100 * kNarrow);
+                 "is still wider than {:.0f}% of the whole frame or {:.0f}% of the cost.",
+                 wide, points.size(), effort.rounds, 100 * kNarrow, 100 * kNarrowOfCost);
 }
 
 json pasteOf(const json& setting) {

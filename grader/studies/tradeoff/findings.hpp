@@ -64,7 +64,7 @@ json jsonOf(const SavedRow& row);
 json jsonOf(const Cost& cost);
 Cost costFrom(const json& row);
 
-/// "2 of 40 settings ...": where the rounds ended before an interval was narrow (kNarrow). Empty if
+/// "2 of 40 settings ...": where the rounds ended before an interval was narrow. Empty if
 /// all are. In the language that was chosen.
 std::string roundsText(const std::vector<Point>& points, const Effort& effort);
 

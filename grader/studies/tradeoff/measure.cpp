@@ -77,7 +77,7 @@ grading::Rendering Bench::run(const json& scene, const std::vector<double>& time
   return rendering;
 }
 
-/// The median of a run's frames.
+/// The least of a run's frames: what disturbs one (another program, caches) only adds to it.
 double Bench::frameMs(const json& scene, double programTime) {
   const std::vector<double> times(kWarmUp + effort_.frames, programTime);
   const trace::Trace trace = run(scene, times, timesRequest()).capture.trace;
@@ -88,7 +88,7 @@ double Bench::frameMs(const json& scene, double programTime) {
     for (const trace::PassRecord& pass : trace.passesOf(i)) seconds += pass.seconds;
     all.push_back(1000 * seconds);
   }
-  return medianOf(std::move(all));
+  return *std::ranges::min_element(all);
 }
 
 std::vector<Pairs> Bench::time(const std::vector<Compared>& scenes, double programTime,

@@ -14,7 +14,7 @@ namespace ggrade::tradeoff {
 /// odd ones, and the settings the other way round.
 struct Effort {
   unsigned rounds = 24; ///< at most; at least kLeastPairs
-  unsigned frames = 3;  ///< of a run that are measured, after the first kWarmUp
+  unsigned frames = 8;  ///< of a run that are measured, after the first kWarmUp
 };
 
 /// Frames of a run that are not measured: shaders are compiled and textures made in the first.

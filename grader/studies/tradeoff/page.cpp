@@ -295,6 +295,7 @@ std::string tradeoffPage(const std::vector<PageAssignment>& assignments) {
                             {{"assignments", std::move(list)},
                              {"warmUp", kWarmUp},
                              {"narrow", fmt::format("{:.0f}%", 100 * kNarrow)},
+                             {"narrowOfCost", fmt::format("{:.0f}%", 100 * kNarrowOfCost)},
                              {"sameTime", fmt::format("{:.0f}%", 100 * kSameTime)},
                              {"nearlyShare", fmt::format("{:.0f}%", 100 * kNearlyShare)},
                              {"nearlyAbsolute", fmt::format("{:g}", kNearlyAbsolute)}},
