@@ -82,25 +82,25 @@ TEST(TradeoffCost, IsNeverBelowZero) {
 }
 
 TEST(TradeoffCost, NeedsPairsUntilItIsKnownToATenthOfTheFrame) {
-  Pairs pairs{{20, 20, 20, 20, 20}, {10, 10, 10, 10, 10}}; // 2 is a tenth and a fifth
+  Pairs pairs{{20, 20, 20, 20, 20}, {0, 0, 0, 0, 0}};
   EXPECT_TRUE(needsMore(pairs)) << "five say nothing yet";
   pairs.with.push_back(21.9);
-  pairs.without.push_back(10);
+  pairs.without.push_back(0);
   EXPECT_FALSE(needsMore(pairs)) << "1.9 of 20";
   pairs.with.back() = 22.1;
   EXPECT_TRUE(needsMore(pairs)) << "2.1 of 20";
   EXPECT_FALSE(costOf(pairs).narrow);
   for (int i = 0; i < 3; ++i) {
     pairs.with.push_back(20);
-    pairs.without.push_back(10);
+    pairs.without.push_back(0);
   }
   EXPECT_FALSE(needsMore(pairs)) << "of nine, one is left out at either end";
 }
 
-TEST(TradeoffCost, NeedsPairsUntilItIsKnownToAFifthOfItself) {
+TEST(TradeoffCost, NeedsPairsUntilItIsKnownToATenthOfItself) {
   const std::vector<double> without(6, 90);
-  EXPECT_FALSE(needsMore({{100, 100, 100, 100, 101, 101.9}, without})) << "1.9 of 10";
-  EXPECT_TRUE(needsMore({{100, 100, 100, 100, 101, 102.1}, without})) << "2.1 of 10";
+  EXPECT_FALSE(needsMore({{100, 100, 100, 100, 100, 100.9}, without})) << "0.9 of 10";
+  EXPECT_TRUE(needsMore({{100, 100, 100, 100, 100, 101.1}, without})) << "1.1 of 10";
   EXPECT_FALSE(needsMore({{89, 90, 90, 91, 91, 92.1}, without})) << "it may be nothing";
 }
 

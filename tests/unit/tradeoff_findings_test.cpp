@@ -110,11 +110,11 @@ TEST(TradeoffFindings, SayWhereTheRoundsWereNotEnough) {
   measured.points[2].cost.narrow = measured.points[4].cost.narrow = false;
   EXPECT_EQ(roundsText(measured.points, {24, 3}),
             "Of 2 of 6 settings the cost is known less well: after 24 rounds the interval is still "
-            "wider than 10% of the whole frame or 20% of the cost.");
+            "wider than 10% of the whole frame or 10% of the cost.");
   gg::setLanguage(gg::Language::japanese);
   EXPECT_EQ(roundsText(measured.points, {24, 3}),
             "6通りのうち2通りの設定では、コストの精度が不足："
-            "24回測っても、区間の幅がフレーム全体の10%以上、またはコストの20%以上。");
+            "24回測っても、区間の幅がフレーム全体の10%以上、またはコストの10%以上。");
   gg::setLanguage(gg::Language::english);
 }
 

@@ -12,7 +12,7 @@ namespace ggrade::tradeoff {
 inline constexpr double kNarrow = 0.1;
 /// ... and, unless it reaches down to 0, than this share of the cost: two runs then agree to within
 /// half of it.
-inline constexpr double kNarrowOfCost = 0.2;
+inline constexpr double kNarrowOfCost = 0.1;
 /// Of fewer pairs no interval holds the median with 95%: the whole sample holds it with
 /// 1 - 2 / 2^pairs.
 inline constexpr unsigned kLeastPairs = 6;
