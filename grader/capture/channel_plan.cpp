@@ -31,8 +31,9 @@ void writeAll(int descriptor, const void* from, std::uint64_t bytes, std::uint64
 }
 
 void requirePossible(const trace::Request& trace) {
-  for (const std::uint32_t flag : {trace.passes, trace.stepCopies, trace.times})
+  for (const std::uint32_t flag : {trace.passes, trace.stepCopies})
     require(flag <= 1, "what is recorded is 0 or 1");
+  require(trace.times <= std::uint32_t(trace::Times::processor), "times are by no clock, 1 or 2");
   for (const std::uint32_t mask : {trace.copies, trace.windowCopies, trace.renderbufferCopies})
     require(mask <= trace::kAllAttachments, "copies are of attachments 0 to 9");
   require(trace.copyFrames <= kMaxFrames, "copies are made in 64 frames at most");

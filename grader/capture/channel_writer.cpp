@@ -32,9 +32,10 @@ thread_local std::uint32_t messagePass = trace::kNone;
 }
 
 const char* faultOf(const trace::Request& request) {
-  for (const std::uint32_t flag : {request.passes, request.stepCopies, request.times}) {
+  for (const std::uint32_t flag : {request.passes, request.stepCopies}) {
     if (flag > 1) return "a switch of what to record is neither 0 nor 1";
   }
+  if (request.times > std::uint32_t(trace::Times::processor)) return "there is no such clock";
   for (const std::uint32_t mask :
        {request.copies, request.windowCopies, request.renderbufferCopies}) {
     if (mask > trace::kAllAttachments) return "attachments to copy out of range";

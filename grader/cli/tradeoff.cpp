@@ -63,8 +63,10 @@ json jsonOf(const tradeoff::PageAssignment& of) {
     sweeps.push_back(tradeoff::jsonOf(of.measured[i], of.findings[i]));
   for (const auto& row : of.growth) growth.push_back(tradeoff::jsonOf(row));
   for (const auto& row : of.saved) saved.push_back(tradeoff::jsonOf(row));
-  return {{"assignment", of.id}, {"complete", of.complete}, {"machine", json(of.machine)},
-          {"sweeps", sweeps},    {"growth", growth},        {"saved", saved}};
+  return {{"assignment", of.id},     {"format", tradeoff::kFormat},
+          {"complete", of.complete}, {"machine", json(of.machine)},
+          {"sweeps", sweeps},        {"growth", growth},
+          {"saved", saved}};
 }
 
 json jsonOf(const std::vector<tradeoff::PageAssignment>& all) {
@@ -172,8 +174,9 @@ void addTradeoff(CLI::App& app) {
   command->add_option("--error", options->error,
                       "Name the fastest setting with at most this error, such as 1%");
   command->add_option("--only", options->only, "Quality numbers; nothing else is swept");
-  command->add_option("--rounds", options->effort.rounds, "Each setting is run so many times")
-      ->check(CLI::Range(1, 100))
+  command
+      ->add_option("--rounds", options->effort.rounds, "Each setting is run so many times at most")
+      ->check(CLI::Range(tradeoff::kLeastPairs, 200U))
       ->capture_default_str();
   command->add_option("--frames", options->effort.frames, "So many frames of a run are timed")
       ->check(CLI::Range(1U, channel::kMaxFrames - tradeoff::kWarmUp))
@@ -190,9 +193,10 @@ void addTradeoff(CLI::App& app) {
       ->excludes(noGrowth);
   command->add_flag("--json", options->json, "Print tradeoff.json on stdout");
   command->footer(
-      "What is swept stands in solutions/ID/quality.json. Time is what a part costs: all passes\n"
-      "of a frame, less the same scene without it. The error is the truth's\n"
-      "(solutions/ID/truth.cpp). One program runs at a time; leave the machine alone meanwhile.\n"
+      "What is swept stands in solutions/ID/quality.json. Time is what a part costs: the\n"
+      "processor's time of all passes of a frame, less the same scene without it, by pairs of\n"
+      "runs until the 95% interval is narrower than a tenth of the frame. The error is the\n"
+      "truth's (solutions/ID/truth.cpp). One program runs at a time.\n"
       "DIR/index.html is the page, DIR/ID/NUMBER.csv and .json the figures (NUMBER.SCENE for a\n"
       "number's second scene), DIR/ID/presets.json has fast, balanced, accurate and reference.\n"
       "They are written after every scene: what is broken off later leaves them.\n"
@@ -200,7 +204,7 @@ void addTradeoff(CLI::App& app) {
       "Examples:\n"
       "  ggrade tradeoff floor --out out/tradeoff\n"
       "  ggrade tradeoff shadow --out out/shadow --budget 5ms\n"
-      "  ggrade tradeoff floor --out out/fine --error 1% --rounds 10\n"
+      "  ggrade tradeoff floor --out out/fine --error 1% --rounds 60\n"
       "  ggrade tradeoff mirror --out out/size --only mirror_size\n"
       "  ggrade tradeoff floor --out out/tradeoff --adopt && ggrade derive floor");
   command->callback([options] { measure(*options); });

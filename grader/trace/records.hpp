@@ -40,6 +40,12 @@ inline constexpr std::uint32_t kMaxSamples = 16384;
 inline constexpr std::uint32_t kMaxCopies = 8192;
 inline constexpr std::uint32_t kMaxMatricesOfStep = 256; ///< the first draws' of a step
 
+/// By which clock passes are timed.
+enum class Times : std::uint32_t {
+  none = 0,
+  wall,
+  processor ///< of the thread that draws: what else the machine does is not in it
+};
 enum class PassKind : std::uint32_t { draw = 1, blit, copy, mipmap, imageStore };
 enum class ImageKind : std::uint32_t { none = 0, window, texture, renderbuffer };
 
@@ -97,8 +103,8 @@ struct PassRecord {
   std::uint32_t firstStep; ///< index in the table of steps
   std::uint32_t stepCount;
   std::uint64_t vertices; ///< drawn, instances included; indirect draws are not counted
-  /// Wall time from its first to its last call, and until GL has done it all; 0 unless times were
-  /// asked for.
+  /// Time from its first to its last call, and until GL has done it all, by the clock that was
+  /// asked for; 0 without one.
   double seconds;
 };
 
@@ -182,7 +188,7 @@ struct Request {
   std::uint32_t renderbufferCopies; ///< mask of those that are copied of renderbuffers, too
   std::uint32_t stepCopies;         ///< 1: also after every step
   std::uint32_t copyFrames;         ///< copies are made in the first so many seen frames
-  std::uint32_t times;              ///< 1: wait for GL at both ends of every pass and measure it
+  std::uint32_t times;              ///< Times: GL is waited for at both ends of every pass
   std::uint32_t tapeFrames;         ///< the first so many frames go on a tape (tape_format.hpp)
   std::uint64_t copyBytes;          ///< room for copies; what doesn't fit is counted
   std::uint64_t tapeBytes;          ///< room for the tape; one that doesn't fit is refused

@@ -188,8 +188,11 @@ TEST(CaptureRequests, OutOfRangeAreRefused) {
   };
   const std::string start = "ggrade capture: GG_CAPTURE_FD: ";
   trace::Request request = everything();
-  request.times = 2;
+  request.stepCopies = 2;
   EXPECT_EQ(refused(request), start + "a switch of what to record is neither 0 nor 1\n");
+  request = everything();
+  request.times = 3;
+  EXPECT_EQ(refused(request), start + "there is no such clock\n");
   request = everything();
   request.copies = 1U << trace::kAttachments;
   EXPECT_EQ(refused(request), start + "attachments to copy out of range\n");

@@ -183,13 +183,26 @@ TEST(CapturePasses, AreTimedWhenAskedFor) {
   trace::Request request{};
   request.passes = 1;
   EXPECT_EQ(record("passes", "attachments", 1, request).capture.trace.passes.at(0).seconds, 0);
-  request.times = 1;
-  const trace::Trace trace = record("passes", "blit", 1, request).capture.trace;
-  ASSERT_EQ(trace.passes.size(), 3U);
-  for (const trace::PassRecord& pass : trace.passes) {
-    EXPECT_GT(pass.seconds, 0);
-    EXPECT_LT(pass.seconds, 5);
+  for (const trace::Times clock : {trace::Times::wall, trace::Times::processor}) {
+    request.times = static_cast<std::uint32_t>(clock);
+    const trace::Trace trace = record("passes", "blit", 1, request).capture.trace;
+    ASSERT_EQ(trace.passes.size(), 3U);
+    for (const trace::PassRecord& pass : trace.passes) {
+      EXPECT_GT(pass.seconds, 0);
+      EXPECT_LT(pass.seconds, 5);
+    }
   }
+}
+
+TEST(CapturePasses, WaitingTakesNoTimeOfTheProcessor) {
+  trace::Request request{};
+  request.passes = 1;
+  const auto secondsBy = [&](trace::Times clock) {
+    request.times = static_cast<std::uint32_t>(clock);
+    return record("passes", "sleeps", 1, request).capture.trace.passes.at(0).seconds;
+  };
+  EXPECT_GE(secondsBy(trace::Times::wall), 0.2);
+  EXPECT_LT(secondsBy(trace::Times::processor), 0.1);
 }
 
 TEST(CaptureSteps, EndWhenStateChanges) {

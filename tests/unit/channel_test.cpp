@@ -243,7 +243,7 @@ TEST(Channel, RefusesImpossibleRequests) {
   const Case cases[] = {
       {"what is recorded is 0 or 1", [](trace::Request& request) { request.passes = 2; }},
       {"what is recorded is 0 or 1", [](trace::Request& request) { request.stepCopies = 7; }},
-      {"what is recorded is 0 or 1", [](trace::Request& request) { request.times = 3; }},
+      {"times are by no clock, 1 or 2", [](trace::Request& request) { request.times = 3; }},
       {"copies are of attachments 0 to 9", [](trace::Request& request) { request.copies = 1024; }},
       {"copies are of attachments 0 to 9",
        [](trace::Request& request) { request.windowCopies = 1024; }},

@@ -1,6 +1,7 @@
 #include "report/picture.hpp"
 #include "tradeoff/adopted.hpp"
 #include "tradeoff/page.hpp"
+#include "words/words.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -28,12 +29,12 @@ Measured sample() {
     const double ms = size * size / 4096 + clip / 10;
     measured.points.push_back(
         {setting,
-         {ms, 0.9 * ms, 1.1 * ms},
+         {ms, 0.9 * ms, 1.1 * ms, ms + 3, true},
          {{"RMSE, edges left out", 1 / size + (clip == 0 ? 0.1 : 0)}, {"edge \"RMSE\"", 2 / size}},
          {},
          {}});
   }
-  measured.offMs.median = 3;
+  measured.offMs = 3;
   return measured;
 }
 
@@ -49,10 +50,10 @@ TEST(TradeoffFiles, HoldANumberAlone) {
   ASSERT_EQ(findings.tables.size(), 3u);
   EXPECT_EQ(findings.tables[1].name(), "size");
   EXPECT_EQ(csvOf(measured, findings.tables[1]),
-            "size,ms,q1,q3,\"RMSE, edges left out\",\"edge \"\"RMSE\"\"\"\n"
-            "64,1.1,0.99,1.21,0.015625,0.03125\n"
-            "128,4.1,3.69,4.51,0.0078125,0.015625\n"
-            "256,16.1,14.49,17.71,0.00390625,0.0078125\n");
+            "size,ms,low,high,frame_ms,\"RMSE, edges left out\",\"edge \"\"RMSE\"\"\"\n"
+            "64,1.1,0.99,1.21,4.1,0.015625,0.03125\n"
+            "128,4.1,3.69,4.51,7.1,0.0078125,0.015625\n"
+            "256,16.1,14.49,17.71,19.1,0.00390625,0.0078125\n");
   const json all = jsonOf(measured, findings, findings.tables[1]);
   EXPECT_EQ(all["rows"].size(), 3u);
   EXPECT_EQ(all["rows"][2]["setting"], json({{"clip", 1}, {"size", 256}}));
@@ -67,14 +68,14 @@ TEST(TradeoffFiles, HoldNumbersTogether) {
   EXPECT_EQ(findings.tables[2].name(), "size-clip");
   EXPECT_EQ(findings.tables[2].points.size(), 6u);
   EXPECT_THAT(csvOf(measured, findings.tables[2]),
-              HasSubstr("\n64,0,1,0.9,1.1,0.115625,0.03125\n64,1,1.1,"));
+              HasSubstr("\n64,0,1,0.9,1.1,4,0.115625,0.03125\n64,1,1.1,"));
 }
 
 TEST(TradeoffFindings, AnswerWishes) {
   const Measured measured = sample();
-  const Findings findings = findingsOf(measured, {4.5, 0.001});
+  const Findings findings = findingsOf(measured, {4.6, 0.001});
   ASSERT_EQ(findings.advice.size(), 2u);
-  EXPECT_EQ(findings.advice[0].wish, "at most 4.50 ms");
+  EXPECT_EQ(findings.advice[0].wish, "at most 4.60 ms");
   ASSERT_TRUE(findings.advice[0].point);
   EXPECT_EQ(measured.points[*findings.advice[0].point].setting, json({{"clip", 1}, {"size", 128}}));
   EXPECT_EQ(findings.advice[1].wish, "an error of at most 0.10%");
@@ -83,6 +84,8 @@ TEST(TradeoffFindings, AnswerWishes) {
   EXPECT_THAT(text, HasSubstr("{\"quality\":{\"clip\":1,\"size\":128}}"));
   EXPECT_THAT(text, HasSubstr("no setting that was measured"));
   EXPECT_THAT(text, HasSubstr("mirror, scene \"sharp\": 6 settings"));
+  EXPECT_THAT(text, HasSubstr("accurate, reference"));
+  EXPECT_THAT(text, HasSubstr("16.1 ms of  19.1 ms     0.39%  clip 1, size 256"));
 }
 
 TEST(TradeoffFindings, PresetsOfSeveralScenesStandTogether) {
@@ -99,6 +102,20 @@ TEST(TradeoffFindings, PresetsOfSeveralScenesStandTogether) {
   EXPECT_EQ(presets["mirror"]["reference"]["quality"],
             json({{"clip", 1}, {"size", 256}, {"samples", 2}}));
   EXPECT_EQ(presets["mirror"]["fast"]["quality"]["size"], 64);
+}
+
+TEST(TradeoffFindings, SayWhereTheRoundsWereNotEnough) {
+  Measured measured = sample();
+  EXPECT_EQ(roundsText(measured.points, {24, 3}), "");
+  measured.points[2].cost.narrow = measured.points[4].cost.narrow = false;
+  EXPECT_EQ(roundsText(measured.points, {24, 3}),
+            "Of 2 of 6 settings the cost is known less well: after 24 rounds the interval is still "
+            "wider than 10% of the whole frame or 10% of the cost.");
+  gg::setLanguage(gg::Language::japanese);
+  EXPECT_EQ(roundsText(measured.points, {24, 3}),
+            "6通りのうち2通りの設定では、コストの精度が不足："
+            "24回測っても、区間の幅がフレーム全体の10%以上、またはコストの10%以上。");
+  gg::setLanguage(gg::Language::english);
 }
 
 TEST(TradeoffWishes, HaveUnits) {
@@ -125,7 +142,9 @@ TEST(TradeoffChart, CanBeReadAloud) {
   EXPECT_THAT(svg, HasSubstr("role=\"img\" aria-labelledby=\"chart-mirror-sharp-title "
                              "chart-mirror-sharp-desc\"><title id=\"chart-mirror-sharp-title\">"
                              "mirror, sharp: time against RMSE, edges left out</title>"));
-  EXPECT_THAT(svg, HasSubstr("1: clip 0, size 64: 1.00 ms, RMSE, edges left out 11.6%."));
+  EXPECT_THAT(
+      svg,
+      HasSubstr("1: clip 1, size 64: 1.10 ms of a frame of 4.10 ms, RMSE, edges left out 1.6%."));
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
   EXPECT_THAT(curveChart(measured, findings.curves[1], false), HasSubstr("64: 1.6%. 128: 0.78%."));
   EXPECT_THAT(curveChart(measured, findings.curves[1], true), HasSubstr("64: 1.10 ms."));
@@ -134,7 +153,7 @@ TEST(TradeoffChart, CanBeReadAloud) {
 TEST(TradeoffChart, BearsNoTimeAndNoError) {
   Measured measured = sample();
   for (Point& point : measured.points) {
-    point.ms = {-0.1, -0.2, 0};
+    point.cost = {};
     point.errors[0].value = 0;
   }
   const std::string svg = frontChart(measured, findingsOf(measured, {}), Labels::places);
@@ -146,6 +165,32 @@ TEST(TradeoffChart, BearsNoTimeAndNoError) {
 json adoptedSample() {
   const Measured measured = sample();
   json sharp = jsonOf(measured, findingsOf(measured, {})), blurred = sharp;
+  blurred["scene_name"] = "blurred";
+  for (json& preset : blurred["presets"]) preset["setting"] = {{"samples", 16}, {"size", 8}};
+  const json need = {{"passes", 2}, {"image_bytes", 1 << 20}, {"ms", 3}},
+             against = {{"passes", 3}, {"image_bytes", 2 << 20}, {"ms", 4}};
+  return {{"format", kFormat},
+          {"sweeps", {sharp, blurred}},
+          {"growth",
+           {{{"part", "mirror"},
+             {"series", "pixels"},
+             {"values", {1, 2}},
+             {"costs", {jsonOf(Cost{1, 0.9, 1.1, 4, true}), jsonOf(Cost{2.5, 2, 3, 5, true})}},
+             {"exponent", 1.32}}}},
+          {"saved",
+           {{{"scene", "no mirror"},
+             {"needed", need},
+             {"against", against},
+             {"saved", jsonOf(Cost{1, 0.9, 1.1, 4, true})}}}}};
+}
+
+/// What it kept before costs had intervals.
+json oldSample() {
+  const Measured measured = sample();
+  json sharp = jsonOf(measured, findingsOf(measured, {}));
+  for (json& preset : sharp["presets"])
+    for (const char* key : {"low", "high", "frame_ms", "narrow"}) preset.erase(key);
+  json blurred = sharp;
   blurred["scene_name"] = "blurred";
   for (json& preset : blurred["presets"]) preset["setting"] = {{"samples", 16}, {"size", 8}};
   json need = {{"passes", 2}, {"image_bytes", 1 << 20}, {"ms", 3}};
@@ -190,6 +235,39 @@ TEST(TradeoffAdopted, IsATableInTheHandout) {
   const std::string text = handoutText(adoptedSample(), "mirror");
   EXPECT_THAT(text, testing::StartsWith(
                         "A scene. 480 x 360 pixels; without this part a frame takes 3.00 ms.\n\n"
+                        "Between fast (1.10 ms, error 1.6%) and reference (16.1 ms, error 0.39%), "
+                        "a frame takes 19.1 ms instead of 4.10 ms, and the error falls to 25.0% of "
+                        "it.\n\n"
+                        "| preset | time of this part | whole frame | RMSE, edges left out | "
+                        "setting |\n| --- | ---: | ---: | ---: | --- |\n"));
+  EXPECT_THAT(
+      text,
+      HasSubstr("| accurate, reference | 16.1 ms | 19.1 ms | 0.39% | `clip` 1, `size` 256 |\n"));
+  json hidden = adoptedSample();
+  hidden["growth"][0]["costs"][0] = jsonOf(costOf({{9, 9, 11, 11, 9, 11}, {8, 9, 10, 9, 10, 12}}));
+  EXPECT_THAT(handoutText(hidden, ""),
+              HasSubstr("| mirror | pixels | 1: below 2 ms, 2: 2.50 ms | – |\n"));
+  EXPECT_EQ(handoutText(adoptedSample(), ""),
+            "| part | against | its cost in a frame | grows with the power |\n"
+            "| --- | --- | --- | ---: |\n"
+            "| mirror | pixels | 1: 1.00 ms, 2: 2.50 ms | 1.32 |\n\n"
+            "| scene | passes | memory | a frame's time |\n| --- | ---: | ---: | ---: |\n"
+            "| no mirror | 2 of 3 | 1.0 of 2.0 MiB | 3.00 ms of 4.00 ms |\n");
+  hidden["saved"][0]["saved"]["low"] = 0;
+  EXPECT_THAT(handoutText(hidden, ""), HasSubstr("| no less (3.00 ms and 4.00 ms) |\n"));
+  gg::setLanguage(gg::Language::japanese);
+  EXPECT_THAT(handoutText(hidden, ""), HasSubstr("1: 2 ms未満, 2: 2.50 ms"));
+  EXPECT_THAT(handoutText(adoptedSample(), "mirror"),
+              HasSubstr("fast（1.10 ms、誤差1.6%）からreference（16.1 ms、誤差0.39%）へ："
+                        "1フレームの時間は4.10 msから19.1 msへ、誤差はその25.0%へ。\n\n"
+                        "| プリセット | このパートの時間 | フレーム全体 | "));
+  gg::setLanguage(gg::Language::english);
+}
+
+TEST(TradeoffAdopted, OfTheFirstFormatIsTheTableThatItWas) {
+  const std::string text = handoutText(oldSample(), "mirror");
+  EXPECT_THAT(text, testing::StartsWith(
+                        "A scene. 480 x 360 pixels; without this part a frame takes 3.00 ms.\n\n"
                         "| preset | time of this part | RMSE, edges left out | setting |\n"
                         "| --- | ---: | ---: | --- |\n"));
   EXPECT_THAT(text,
@@ -198,20 +276,20 @@ TEST(TradeoffAdopted, IsATableInTheHandout) {
   EXPECT_THAT(text, HasSubstr("(handout/tradeoff-mirror-blurred.svg)\n"));
   EXPECT_THAT(text, HasSubstr("- The error falls with size: from 1.6% at 64 to 0.39% at 256. Its "
                               "cost grows with the power 1.94 of it.\n"));
-  json noisy = adoptedSample();
+  json noisy = oldSample();
   noisy["growth"][0]["ms"][0] = -1;
   EXPECT_THAT(handoutText(noisy, ""), HasSubstr("| mirror | pixels | 1: –, 2: 2.50 ms | – |\n"));
-  noisy = adoptedSample();
+  noisy = oldSample();
   noisy["growth"][0]["deviation"] = 0.5;
   EXPECT_THAT(handoutText(noisy, ""), HasSubstr("| 1: 1.00 ms, 2: 2.50 ms | – |\n"));
-  json falling = adoptedSample();
+  json falling = oldSample();
   falling["growth"][0]["exponent"] = -0.02;
   EXPECT_THAT(handoutText(falling, ""), HasSubstr("| 1: 1.00 ms, 2: 2.50 ms | < 0.1 |\n"));
-  json saving = adoptedSample();
+  json saving = oldSample();
   saving["saved"][0]["needed"]["ms"] = 1.5;
   EXPECT_THAT(handoutText(saving, ""), HasSubstr("| 1.50 ms of 3.00 ms |\n"));
-  EXPECT_EQ(handoutText(adoptedSample(), "shadow"), "");
-  EXPECT_EQ(handoutText(adoptedSample(), ""),
+  EXPECT_EQ(handoutText(oldSample(), "shadow"), "");
+  EXPECT_EQ(handoutText(oldSample(), ""),
             "| part | against | its cost in a frame | grows with the power |\n"
             "| --- | --- | --- | ---: |\n"
             "| mirror | pixels | 1: 1.00 ms, 2: 2.50 ms | 1.32 |\n\n"
@@ -232,13 +310,13 @@ TEST(TradeoffAdopted, AChartStandsAlone) {
 TEST(TradeoffPage, ShowsFrontPresetsAndCurves) {
   PageAssignment page{"floor", "The floor",           {sample()}, {},   {},
                       {},      {{"compiler", "c++"}}, {},         false};
-  page.findings = {findingsOf(page.measured[0], {4.5, {}})};
+  page.findings = {findingsOf(page.measured[0], {4.6, {}})};
   page.growth = {{"mirror",
                   "pixels",
                   {1, 2, 4},
-                  {{1, 1, 1}, {2, 2, 2}, {4, 4, 4}},
+                  {{1, 1, 1, 3, true}, {2, 2, 2, 3, true}, {4, 0, 4, 3, true}},
                   growthOf({1, 2, 4}, {1, 2, 4})}};
-  page.saved = {{"nothing <glows>", {2, 1 << 20, {3, 3, 3}}, {13, 4 << 20, {30, 30, 30}}}};
+  page.saved = {{"nothing <glows>", {2, 1 << 20, 3}, {13, 4 << 20, 30}, {27, 26, 28, 30, true}}};
   Image& first = page.measured[0].points[page.findings[0].front[0]].rendered = Image(30, 20, 3);
   for (std::size_t i = 0; i < 1800; ++i) first.values()[i] = float(i * i * 7919 % 256) / 255;
   const std::string html = tradeoffPage({page});
@@ -250,13 +328,26 @@ TEST(TradeoffPage, ShowsFrontPresetsAndCurves) {
       html,
       HasSubstr("The error falls with clip: from 11.6% at 0 to 1.6% at 1. What sinks shows."));
   EXPECT_THAT(html, HasSubstr("Not everything has been measured"));
-  EXPECT_THAT(html, HasSubstr("at most 4.50 ms"));
+  EXPECT_THAT(html, HasSubstr("at most 4.60 ms"));
   EXPECT_THAT(html, HasSubstr("{&quot;quality&quot;:{&quot;clip&quot;:1,&quot;size&quot;:128}}"));
-  EXPECT_THAT(html, HasSubstr("<td>pixels</td><td>1: 1.00 ms, 2: 2.00 ms, 4: 4.00 ms</td><td "
+  EXPECT_THAT(html, HasSubstr("<td>pixels</td><td>1: 1.00 ms, 2: 2.00 ms, 4: below 4 ms</td><td "
                               "class=\"number\">1.00</td>"));
   EXPECT_THAT(html, HasSubstr("nothing &lt;glows&gt;"));
-  EXPECT_THAT(html, HasSubstr("2 of 13</td><td class=\"number\">1.0 MiB of 4.0 MiB</td><td "
-                              "class=\"number\">3.00 ms of 30.0 ms"));
+  EXPECT_THAT(html,
+              HasSubstr("2 of 13</td><td class=\"number\">1.0 MiB of 4.0 MiB</td><td "
+                        "class=\"number\">3.00 ms of 30.0 ms</td><td class=\"number\">27.0 ms<"));
+  // What the part's trade is comes first.
+  const std::size_t trade =
+      html.find("Between fast (1.10 ms, error 1.6%) and reference (16.1 ms, ");
+  ASSERT_NE(trade, html.npos);
+  EXPECT_LT(trade, html.find("How it was measured"));
+  EXPECT_THAT(html, HasSubstr("id=\"trade-mirror-sharp-title\""));
+  EXPECT_THAT(html, HasSubstr("<th scope=\"row\">accurate, reference<span class=\"soft\">the "
+                              "fastest within 10% of the least error; every number at its highest "
+                              "quality</span></th>"));
+  EXPECT_THAT(html, Not(HasSubstr("known less well")));
+  page.measured[0].points[0].cost.narrow = false;
+  EXPECT_THAT(tradeoffPage({page}), HasSubstr("Of 1 of 6 settings the cost is known less well"));
   EXPECT_THAT(html, Not(HasSubstr("{{")));
   EXPECT_THAT(html, Not(HasSubstr("http://")));
 }

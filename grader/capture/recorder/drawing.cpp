@@ -119,7 +119,7 @@ void done() {
   if (!plan()->trace.times) return;
   const ContextState* const state = currentState();
   if (state && state->recorder && state->recorder->pass)
-    state->recorder->pass->lastCall = Clock::now();
+    state->recorder->pass->lastCall = passClock();
 }
 
 } // namespace ggrade::capture::recorder

@@ -6,6 +6,7 @@
 #include "capture/recorder/session.hpp"
 
 #include <algorithm>
+#include <ctime>
 
 namespace ggrade::capture::recorder {
 namespace {
@@ -69,13 +70,21 @@ void writeSteps(Session& session, OpenPass& pass) {
 }
 
 double secondsOf(const OpenPass& pass) {
-  const Clock::time_point finishing = Clock::now();
+  const std::chrono::nanoseconds finishing = passClock();
   gl().finish();
   const auto calls = std::max(pass.lastCall, pass.start) - pass.start;
-  return std::chrono::duration<double>(calls + (Clock::now() - finishing)).count();
+  return std::chrono::duration<double>(calls + (passClock() - finishing)).count();
 }
 
 } // namespace
+
+std::chrono::nanoseconds passClock() {
+  // llvmpipe without threads of its own draws in the thread that calls it.
+  const bool processor = plan()->trace.times == std::uint32_t(trace::Times::processor);
+  timespec now{};
+  clock_gettime(processor ? CLOCK_THREAD_CPUTIME_ID : CLOCK_MONOTONIC, &now);
+  return std::chrono::seconds(now.tv_sec) + std::chrono::nanoseconds(now.tv_nsec);
+}
 
 OpenPass& beginPass(Session& session, trace::PassKind kind) {
   endPass(session);
@@ -90,7 +99,7 @@ OpenPass& beginPass(Session& session, trace::PassKind kind) {
   setMessagePass(pass.index);
   if (session.shared().request.times) {
     gl().finish();
-    pass.start = pass.lastCall = Clock::now();
+    pass.start = pass.lastCall = passClock();
   }
   return pass;
 }

@@ -17,8 +17,6 @@
 
 namespace ggrade::capture::recorder {
 
-using Clock = std::chrono::steady_clock;
-
 struct OpenStep {
   bool kept = false;          ///< there is room for it in the table
   trace::StepRecord record{}; ///< but for matrices, samples and pass
@@ -50,8 +48,8 @@ struct OpenPass {
     std::uint32_t copy, step; ///< index in the table, index in `steps`
   };
   std::vector<StepCopy> stepCopies;
-  Clock::time_point start;
-  Clock::time_point lastCall; ///< when the pass's latest draw or clear returned
+  std::chrono::nanoseconds start{};
+  std::chrono::nanoseconds lastCall{}; ///< when the pass's latest draw or clear returned
 };
 
 /// What the recorder keeps for one context. Only the thread that it is current to uses it.
@@ -110,6 +108,9 @@ private:
 };
 
 // passes.cpp
+
+/// Now, by the clock that passes are timed by (trace::Times); its zero means nothing.
+std::chrono::nanoseconds passClock();
 
 /// The open pass that draws into this target; the one before is ended when it draws elsewhere, or
 /// when this is a clear and it has drawn.

@@ -212,7 +212,7 @@ void ended() {
   Session session;
   if (!session || !session.context().pass) return;
   OpenPass& pass = *session.context().pass;
-  pass.lastCall = Clock::now();
+  pass.lastCall = passClock();
   switch (static_cast<PassKind>(pass.record.kind)) {
   case PassKind::draw:
     return;

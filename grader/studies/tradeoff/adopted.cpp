@@ -20,7 +20,12 @@ constexpr double kWorstFit = 0.4;
 /// much.
 constexpr double kLeastPower = 0.1;
 
-std::string costText(double ms) {
+/// Of the first format (see adopted.hpp).
+bool isOld(const json& figures) {
+  return figures.value("format", 1) < kFormat;
+}
+
+std::string oldCostText(double ms) {
   return ms > 0 ? msText(ms) : kHidden;
 }
 
@@ -30,7 +35,8 @@ constexpr const char* kPresets[] = {"fast", "balanced", "accurate", "reference"}
 constexpr const char* kStyle =
     "<style>text{font:13px system-ui,sans-serif;fill:#1c2430}text.tick,text.axis{font-size:12px;"
     "fill:#5b6675}text.label{font-weight:650;paint-order:stroke;stroke:#fff;stroke-width:4px}"
-    ".grid{stroke:#dde2e8}.other{fill:#5b6675;fill-opacity:.4}.best{fill:#1d5fbf;stroke:#fff;"
+    ".spread{stroke:#1d5fbf;stroke-width:5;stroke-opacity:.3}.grid{stroke:#dde2e8}.other{fill:#"
+    "5b6675;fill-opacity:.4}.best{fill:#1d5fbf;stroke:#fff;"
     "stroke-width:1.5}.front{fill:none;stroke:#1d5fbf;stroke-width:1.8;stroke-linejoin:round}"
     "</style><rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>";
 
@@ -64,26 +70,41 @@ std::string numberText(const json& number) {
   return fall;
 }
 
-std::string sweepText(const json& sweep) {
+std::vector<PresetRow> presetRows(const json& sweep, bool old) {
+  const std::string error = sweep.at("error");
+  std::vector<PresetRow> rows;
+  for (const char* const name : kPresets) {
+    if (!sweep.at("presets").contains(name)) continue;
+    const json& preset = sweep.at("presets").at(name);
+    addPreset(rows, {{name},
+                     preset.at("setting"),
+                     old ? Cost{.median = preset.at("ms")} : costFrom(preset),
+                     preset.at("errors").at(error)});
+  }
+  return rows;
+}
+
+std::string presetTable(const std::vector<PresetRow>& rows, const std::string& error, bool old) {
+  std::string text =
+      (old ? gg::say("| preset | time of this part | {} | setting |", error) +
+                 "\n| --- | ---: | ---: | --- |\n"
+           : gg::say("| preset | time of this part | whole frame | {} | setting |", error) +
+                 "\n| --- | ---: | ---: | ---: | --- |\n");
+  for (const PresetRow& row : rows)
+    text += fmt::format("| {} | {} | {} | {} |\n", row.name(),
+                        old ? oldCostText(row.cost.median)
+                            : fmt::format("{} | {}", costText(row.cost), msText(row.cost.whole)),
+                        errorText(row.error), settingCell(row.setting));
+  return text;
+}
+
+std::string sweepText(const json& sweep, bool old) {
   const std::string part = sweep.at("part"), name = sweep.at("scene_name"),
                     error = sweep.at("error"), errorInWords = inWords(error);
-  std::string text = sceneText(sweep) + "\n\n" +
-                     gg::say("| preset | time of this part | {} | setting |", errorInWords) +
-                     "\n| --- | ---: | ---: | --- |\n";
-  const json& presets = sweep.at("presets");
-  std::string names;
-  for (std::size_t i = 0; i < std::size(kPresets); ++i) {
-    if (!presets.contains(kPresets[i])) continue;
-    const json& row = presets.at(kPresets[i]);
-    names += (names.empty() ? "" : ", ") + std::string(kPresets[i]);
-    // Presets with one setting have one row.
-    const bool again = i + 1 < std::size(kPresets) && presets.contains(kPresets[i + 1]) &&
-                       presets.at(kPresets[i + 1]).at("setting") == row.at("setting");
-    if (again) continue;
-    text += fmt::format("| {} | {} | {} | {} |\n", names, costText(row.at("ms")),
-                        errorText(row.at("errors").at(error)), settingCell(row.at("setting")));
-    names.clear();
-  }
+  const std::vector<PresetRow> rows = presetRows(sweep, old);
+  std::string text = sceneText(sweep) + "\n\n";
+  if (!old) text += tradeText(rows) + "\n\n";
+  text += presetTable(rows, errorInWords, old);
   const std::string settings = sweep.at("settings").dump();
   text += fmt::format("\n![{}](handout/{})\n\n",
                       gg::say("Time against {} of {} settings", errorInWords, settings),
@@ -102,22 +123,24 @@ std::string powerText(const json& row, bool hidden) {
 }
 
 /// Of a scene that needs less against one that needs all.
-std::string timeText(double needed, double all) {
-  return needed < all ? gg::say("{} of {}", msText(needed), msText(all))
-                      : gg::say("no less ({} and {})", msText(needed), msText(all));
+std::string timeText(const json& row, bool old) {
+  const double needed = row.at("needed").at("ms"), all = row.at("against").at("ms");
+  const bool less = old ? needed < all : !costFrom(row.at("saved")).hidden();
+  return less ? gg::say("{} of {}", msText(needed), msText(all))
+              : gg::say("no less ({} and {})", msText(needed), msText(all));
 }
 
-std::string growthTable(const json& growth) {
+std::string growthTable(const json& growth, bool old) {
   std::string text = gg::say("| part | against | its cost in a frame | grows with the power |") +
                      "\n| --- | --- | --- | ---: |\n";
   for (const json& row : growth) {
     std::string costs;
     bool hidden = row.value("deviation", 0.0) > kWorstFit;
     for (std::size_t i = 0; i < row.at("values").size(); ++i) {
-      const double ms = row.at("ms")[i];
+      const Cost cost = old ? Cost{.median = row.at("ms")[i]} : costFrom(row.at("costs")[i]);
       costs += fmt::format("{}{:.0f}: {}", i == 0 ? "" : ", ", row.at("values")[i].get<double>(),
-                           costText(ms));
-      hidden = hidden || ms <= 0;
+                           old ? oldCostText(cost.median) : costText(cost));
+      hidden = hidden || (old ? cost.median <= 0 : cost.hidden());
     }
     text += fmt::format("| {} | {} | {} | {} |\n", row.at("part").get<std::string>(),
                         inWords(row.at("series")), costs, powerText(row, hidden));
@@ -125,7 +148,7 @@ std::string growthTable(const json& growth) {
   return text;
 }
 
-std::string savedTable(const json& saved) {
+std::string savedTable(const json& saved, bool old) {
   const auto mebibytes = [](const json& need) {
     return need.at("image_bytes").get<double>() / (1 << 20);
   };
@@ -133,11 +156,10 @@ std::string savedTable(const json& saved) {
       gg::say("| scene | passes | memory | a frame's time |") + "\n| --- | ---: | ---: | ---: |\n";
   for (const json& row : saved) {
     const json &needed = row.at("needed"), &against = row.at("against");
-    text +=
-        fmt::format("| {} | {} | {} | {} |\n", inWords(row.at("scene")),
-                    gg::say("{} of {}", needed.at("passes").dump(), against.at("passes").dump()),
-                    gg::say("{:.1f} of {:.1f} MiB", mebibytes(needed), mebibytes(against)),
-                    timeText(needed.at("ms"), against.at("ms")));
+    text += fmt::format(
+        "| {} | {} | {} | {} |\n", inWords(row.at("scene")),
+        gg::say("{} of {}", needed.at("passes").dump(), against.at("passes").dump()),
+        gg::say("{:.1f} of {:.1f} MiB", mebibytes(needed), mebibytes(against)), timeText(row, old));
   }
   return text;
 }
@@ -222,11 +244,12 @@ json adoptedPresets(const json& figures) {
 }
 
 std::string handoutText(const json& figures, const std::string& part) {
+  const bool old = isOld(figures);
   if (part.empty())
-    return growthTable(figures.at("growth")) + '\n' + savedTable(figures.at("saved"));
+    return growthTable(figures.at("growth"), old) + '\n' + savedTable(figures.at("saved"), old);
   std::string text;
   for (const json& sweep : figures.at("sweeps"))
-    if (sweep.at("part") == part) text += (text.empty() ? "" : "\n") + sweepText(sweep);
+    if (sweep.at("part") == part) text += (text.empty() ? "" : "\n") + sweepText(sweep, old);
   return text + decidedElsewhere(figures, part);
 }
 

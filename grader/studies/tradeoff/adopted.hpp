@@ -3,11 +3,18 @@
 /// What handouts and scenes use of a measurement. `ggrade tradeoff ID --adopt` keeps it in
 /// solutions/<id>/tradeoff: figures.json (an assignment's entry of tradeoff.json) and a chart a
 /// sweep. `ggrade derive` makes tables, pictures and presets.json from that.
+///
+/// figures.json says its "format". Without one it is of the first: costs were differences of two
+/// medians by the clock on the wall, had no intervals, and stand there until they are measured
+/// again.
 
 #include "tradeoff/page.hpp"
 #include "words/words.hpp"
 
 namespace ggrade::tradeoff {
+
+/// What is written now: costs have "low", "high" and "frame_ms".
+inline constexpr int kFormat = 2;
 
 /// "tradeoff-mirror-sharp.svg", in Japanese "tradeoff-mirror-sharp.ja.svg": the chart of a part's
 /// sweep in the handout's folder. What is kept is in English.

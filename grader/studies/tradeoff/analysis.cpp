@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <regex>
 
@@ -23,16 +22,16 @@ double quantile(const std::vector<double>& sorted, double share) {
 }
 
 /// Where the curve of the front bends most: the point farthest below the line that joins its ends,
-/// in logarithms of time and error that are scaled to 0 to 1.
+/// in logarithms of a frame's time and error that are scaled to 0 to 1.
 std::size_t kneeOf(const std::vector<Point>& points, const std::vector<std::size_t>& front) {
   const Point &first = points[front.front()], &last = points[front.back()];
   const auto logs = [](double value) { return std::log(std::max(value, 1e-9)); };
-  const double x0 = logs(first.ms.median), x1 = logs(last.ms.median);
+  const double x0 = logs(first.cost.whole), x1 = logs(last.cost.whole);
   const double y0 = logs(first.error()), y1 = logs(last.error());
   std::size_t knee = front.front();
   double most = 0;
   for (std::size_t index : front) {
-    const double x = x1 > x0 ? (logs(points[index].ms.median) - x0) / (x1 - x0) : 0;
+    const double x = x1 > x0 ? (logs(points[index].cost.whole) - x0) / (x1 - x0) : 0;
     const double y = y1 < y0 ? (logs(points[index].error()) - y1) / (y0 - y1) : 0;
     if (1 - x - y > most) {
       most = 1 - x - y;
@@ -40,6 +39,44 @@ std::size_t kneeOf(const std::vector<Point>& points, const std::vector<std::size
     }
   }
   return knee;
+}
+
+using Indices = std::vector<std::size_t>;
+
+/// Those of `among` for which `holds`.
+template <class Condition>
+Indices kept(const std::vector<Point>& points, const Indices& among, Condition holds) {
+  Indices left;
+  for (std::size_t index : among)
+    if (holds(points[index])) left.push_back(index);
+  return left;
+}
+
+Indices everyOne(const std::vector<Point>& points) {
+  Indices all(points.size());
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+std::size_t leastError(const std::vector<Point>& points, const Indices& among) {
+  return *std::ranges::min_element(among, {}, [&](std::size_t i) { return points[i].error(); });
+}
+
+/// Of those than which none is clearly faster, the one of least error. `among` is not empty.
+std::size_t fastestOf(const std::vector<Point>& points, const Indices& among) {
+  const std::size_t first =
+      *std::ranges::min_element(among, {}, [&](std::size_t i) { return points[i].cost.high; });
+  return leastError(points, kept(points, among, [&](const Point& point) {
+                      return !faster(points[first].cost, point.cost);
+                    }));
+}
+
+/// Of those whose error is nearly the least, the fastest. `among` is not empty.
+std::size_t mostAccurateOf(const std::vector<Point>& points, const Indices& among) {
+  const double least = points[leastError(points, among)].error();
+  return fastestOf(points, kept(points, among, [&](const Point& point) {
+                     return nearlyEqual(point.error(), least);
+                   }));
 }
 
 } // namespace
@@ -51,16 +88,13 @@ Spread spreadOf(std::vector<double> values) {
 }
 
 std::vector<std::size_t> paretoFront(const std::vector<Point>& points) {
-  std::vector<std::size_t> order(points.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return std::pair(points[a].ms.median, points[a].error()) <
-           std::pair(points[b].ms.median, points[b].error());
-  });
-  std::vector<std::size_t> front;
-  for (std::size_t index : order)
-    if (front.empty() || points[index].error() < points[front.back()].error())
-      front.push_back(index);
+  Indices front, left = everyOne(points);
+  while (!left.empty()) {
+    front.push_back(mostAccurateOf(points, left));
+    const Cost& cost = points[front.back()].cost;
+    left = kept(points, left, [&](const Point& point) { return faster(point.cost, cost); });
+  }
+  std::ranges::reverse(front);
   return front;
 }
 
@@ -70,64 +104,37 @@ bool nearlyEqual(double a, double b) {
 }
 
 std::optional<std::size_t> withinBudget(const std::vector<Point>& points, double ms) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const Point& point : points)
-    if (point.ms.median <= ms) least = std::min(least, point.error());
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].ms.median > ms || !nearlyEqual(points[i].error(), least)) continue;
-    if (!best || points[i].ms.median < points[*best].ms.median) best = i;
-  }
-  return best;
+  const Indices all =
+      kept(points, everyOne(points), [&](const Point& point) { return point.cost.high <= ms; });
+  if (all.empty()) return std::nullopt;
+  return mostAccurateOf(points, all);
 }
 
 std::optional<std::size_t> withinError(const std::vector<Point>& points, double limit) {
-  double fastest = std::numeric_limits<double>::infinity();
-  for (const Point& point : points)
-    if (point.error() <= limit) fastest = std::min(fastest, point.ms.median);
-  const double sameTime = fastest + kSameTime * std::abs(fastest);
-  std::optional<std::size_t> best;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].error() > limit || points[i].ms.median > sameTime) continue;
-    if (!best || (nearlyEqual(points[i].error(), points[*best].error())
-                      ? points[i].ms.median < points[*best].ms.median
-                      : points[i].error() < points[*best].error()))
-      best = i;
-  }
-  return best;
+  const Indices all =
+      kept(points, everyOne(points), [&](const Point& point) { return point.error() <= limit; });
+  if (all.empty()) return std::nullopt;
+  return fastestOf(points, all);
 }
 
 std::vector<Preset> presetsOf(const std::vector<Point>& points, const nlohmann::json& reference) {
-  const std::vector<std::size_t> front = paretoFront(points);
-  const double least = points.at(front.back()).error();
-  const auto limitOf = [&](double factor) {
-    return std::max(factor * least, least + kNearlyAbsolute);
-  };
+  const Indices front = paretoFront(points);
+  const double least = points[leastError(points, everyOne(points))].error();
   // The front is sorted by time, so its first point that is good enough is the fastest.
-  const auto fastestOf = [&](double factor) {
-    return std::find_if(front.begin(), front.end(), [&](std::size_t index) {
-      return points[index].error() <= limitOf(factor);
-    });
+  const auto fastest = [&](double factor) {
+    const double limit = std::max(factor * least, least + kNearlyAbsolute);
+    return std::ranges::find_if(front,
+                                [&](std::size_t index) { return points[index].error() <= limit; });
   };
-  // Noise shall not choose: of those that are good enough and may be as fast, the best.
-  const auto bestOf = [&](double factor) {
-    std::size_t best = *fastestOf(factor);
-    const double time = points[best].ms.median;
-    for (std::size_t i = 0; i < points.size(); ++i)
-      if (points[i].ms.q1 <= time && points[i].error() < points[best].error() &&
-          !nearlyEqual(points[i].error(), points[best].error()))
-        best = i;
-    return best;
-  };
+  const auto fast = fastest(kFastFactor), accurate = fastest(kAccurateFactor);
   std::vector<Preset> presets = {
       {"fast", fmt::format("the fastest with at most {} times the least error", kFastFactor),
-       bestOf(kFastFactor)},
+       *fast},
       {"balanced", "where the front bends most between fast and accurate",
-       kneeOf(points,
-              std::vector<std::size_t>(fastestOf(kFastFactor), fastestOf(kAccurateFactor) + 1))},
+       kneeOf(points, Indices(fast, accurate + 1))},
       {"accurate",
        fmt::format("the fastest within {:.0f}% of the least error", 100 * (kAccurateFactor - 1)),
-       bestOf(kAccurateFactor)}};
+       *accurate}};
   for (std::size_t i = 0; i < points.size(); ++i)
     if (points[i].setting == reference)
       presets.push_back({"reference", "every number at its highest quality", i});
@@ -254,10 +261,6 @@ std::string errorText(double error) {
   if (percent < 1e-3) return fmt::format("{:.1e}", error);
   return fmt::format("{:.{}f}%", percent,
                      percent >= 10 ? 1 : std::min(5, 1 - int(std::floor(std::log10(percent)))));
-}
-
-std::string msText(double ms) {
-  return fmt::format("{:.{}f} ms", ms, std::abs(ms) >= 10 ? 1 : std::abs(ms) >= 0.1 ? 2 : 3);
 }
 
 std::string settingText(const nlohmann::json& setting) {

@@ -3,6 +3,7 @@
 /// What measured settings say: which are worth having, which one to take, how cost grows. Plain
 /// numbers in and out.
 
+#include "tradeoff/cost.hpp"
 #include "truth/truth.hpp"
 
 #include <nlohmann/json.hpp>
@@ -17,8 +18,6 @@ namespace ggrade::tradeoff {
 inline constexpr double kNearlyShare = 0.02;
 /// ... or if they differ by no more than this.
 inline constexpr double kNearlyAbsolute = 1e-4;
-/// Times within this share of the quicker one are the same time: what a rerun moves a median by.
-inline constexpr double kSameTime = 0.05;
 /// The preset `fast` may have so many times the least error, ...
 inline constexpr double kFastFactor = 4;
 /// ... and `accurate` so many.
@@ -35,24 +34,26 @@ Spread spreadOf(std::vector<double> values);
 /// One setting, measured.
 struct Point {
   nlohmann::json setting; ///< number to value, such as {"mirror_size": 512}
-  Spread ms;              ///< milliseconds of a frame that the part costs; may be below 0 by noise
+  Cost cost;
   std::vector<truth::Error> errors; ///< at least one; settings are compared by the first
   Image rendered, difference;       ///< small pictures for the page; may be empty
 
   double error() const { return errors.at(0).value; }
 };
 
-/// Indices of the points that no other one beats in both time and error, fastest first.
+/// Indices of the settings worth having, fastest first: from the most accurate on, of those that
+/// are clearly faster (`faster`) again the most accurate. Of errors that are nearly equal the
+/// fastest, of times that are the same the least error: so noise doesn't choose.
 std::vector<std::size_t> paretoFront(const std::vector<Point>& points);
 
 bool nearlyEqual(double a, double b);
 
-/// The setting of least error among those of at most `ms`; of those that are nearly as good, the
-/// fastest.
+/// The setting of least error among those that surely cost at most `ms`; of those that are nearly
+/// as good, the fastest.
 std::optional<std::size_t> withinBudget(const std::vector<Point>& points, double ms);
 
-/// The fastest setting whose error is at most `limit`; of those that are as fast (kSameTime), the
-/// one of least error.
+/// The fastest setting whose error is at most `limit`; of those of which none is clearly slower,
+/// the one of least error.
 std::optional<std::size_t> withinError(const std::vector<Point>& points, double limit);
 
 /// A setting with a name.
@@ -61,10 +62,8 @@ struct Preset {
   std::size_t point = 0;
 };
 
-/// `fast`, `balanced`, `accurate`, and `reference`: this setting, if it is among the points. Noise
-/// shall not choose: where a rule asks for the fastest, those whose lower quartile is below its
-/// median may be as fast, and the one of least error stands for all.
-/// `points` must not be empty.
+/// `fast`, `balanced`, `accurate`, which are on the front, and `reference`: this setting, if it is
+/// among the points. Several may be one setting. `points` must not be empty.
 std::vector<Preset> presetsOf(const std::vector<Point>& points, const nlohmann::json& reference);
 
 /// y = factor * x^exponent.
@@ -88,8 +87,6 @@ std::string fallInWords(const std::string& fall);
 
 /// An error as a person reads it: "1.2%", "0.034%", "3.1e-07".
 std::string errorText(double error);
-/// Milliseconds: "12.3 ms", "0.41 ms".
-std::string msText(double ms);
 /// "mirror_size 512, mirror_clip 1".
 std::string settingText(const nlohmann::json& setting);
 

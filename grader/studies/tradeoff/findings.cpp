@@ -1,6 +1,7 @@
 #include "tradeoff/findings.hpp"
 
 #include "gradebook/csv.hpp"
+#include "words/words.hpp"
 
 #include <fmt/format.h>
 
@@ -39,11 +40,9 @@ std::vector<std::size_t> indicesOf(const Measured& measured, const std::vector<j
 json rowOf(const Point& point) {
   json errors = json::object();
   for (const truth::Error& error : point.errors) errors[error.name] = error.value;
-  return {{"setting", point.setting},
-          {"ms", point.ms.median},
-          {"q1", point.ms.q1},
-          {"q3", point.ms.q3},
-          {"errors", errors}};
+  json row = jsonOf(point.cost);
+  row.update({{"setting", point.setting}, {"errors", errors}});
+  return row;
 }
 
 std::string growthText(const Growth& growth) {
@@ -90,7 +89,7 @@ Findings findingsOf(const Measured& measured, const Wishes& wishes) {
       labels.push_back(value.dump());
       errors.push_back(points[index].error());
       values.push_back(value);
-      costs.push_back(points[index].ms.median);
+      costs.push_back(points[index].cost.hidden() ? 0 : points[index].cost.median);
     }
     curve.fall = fallText(number.name, labels, errors);
     if (!number.note.empty()) curve.fall += ' ' + number.note;
@@ -106,14 +105,16 @@ Findings findingsOf(const Measured& measured, const Wishes& wishes) {
 std::string csvOf(const Measured& measured, const Table& table) {
   std::string text;
   for (const std::string& number : table.numbers) text += csvCell(number, ",") + ',';
-  text += "ms,q1,q3";
+  text += "ms,low,high,frame_ms";
   for (const truth::Error& error : measured.points.at(table.points.at(0)).errors)
     text += ',' + csvCell(error.name, ",");
   text += '\n';
   for (std::size_t index : table.points) {
     const Point& point = measured.points[index];
     for (const std::string& number : table.numbers) text += point.setting.at(number).dump() + ',';
-    text += fmt::format("{:.6g},{:.6g},{:.6g}", point.ms.median, point.ms.q1, point.ms.q3);
+    const Cost& cost = point.cost;
+    text +=
+        fmt::format("{:.6g},{:.6g},{:.6g},{:.6g}", cost.median, cost.low, cost.high, cost.whole);
     for (const truth::Error& error : point.errors) text += fmt::format(",{:.6g}", error.value);
     text += '\n';
   }
@@ -129,7 +130,7 @@ json jsonOf(const Measured& measured, const Findings& findings, const Table& tab
               {"scene_name", sweep.name},
               {"scene", sweep.scene},
               {"time", sweep.time},
-              {"unit", "milliseconds of a frame"},
+              {"unit", "milliseconds of a frame; low and high: 95%"},
               {"rows", rows}};
   if (!sweep.before.empty()) all["before"] = rubric::toJson(sweep.before);
   for (const Curve& curve : findings.curves) {
@@ -168,7 +169,7 @@ json jsonOf(const Measured& measured, const Findings& findings) {
           {"size", measured.sweep.scene.at("size")},
           {"error", measured.points.at(0).errors.at(0).name},
           {"settings", measured.points.size()},
-          {"frame_without_ms", measured.offMs.median},
+          {"frame_without_ms", measured.offMs},
           {"front", front},
           {"presets", presets},
           {"advice", advice},
@@ -176,9 +177,9 @@ json jsonOf(const Measured& measured, const Findings& findings) {
 }
 
 json jsonOf(const GrowthRow& row) {
-  json ms = json::array();
-  for (const Spread& spread : row.ms) ms.push_back(spread.median);
-  json all = {{"part", row.part}, {"series", row.series}, {"values", row.values}, {"ms", ms}};
+  json costs = json::array();
+  for (const Cost& cost : row.costs) costs.push_back(jsonOf(cost));
+  json all = {{"part", row.part}, {"series", row.series}, {"values", row.values}, {"costs", costs}};
   if (row.growth)
     all.update({{"exponent", row.growth->exponent}, {"deviation", row.growth->deviation}});
   return all;
@@ -186,9 +187,32 @@ json jsonOf(const GrowthRow& row) {
 
 json jsonOf(const SavedRow& row) {
   const auto needOf = [](const Need& need) {
-    return json{{"passes", need.passes}, {"image_bytes", need.bytes}, {"ms", need.ms.median}};
+    return json{{"passes", need.passes}, {"image_bytes", need.bytes}, {"ms", need.ms}};
   };
-  return {{"scene", row.name}, {"needed", needOf(row.needed)}, {"against", needOf(row.against)}};
+  return {{"scene", row.name},
+          {"needed", needOf(row.needed)},
+          {"against", needOf(row.against)},
+          {"saved", jsonOf(row.saved)}};
+}
+
+json jsonOf(const Cost& cost) {
+  return {{"ms", cost.median},
+          {"low", cost.low},
+          {"high", cost.high},
+          {"frame_ms", cost.whole},
+          {"narrow", cost.narrow}};
+}
+
+Cost costFrom(const json& row) {
+  return {row.at("ms"), row.at("low"), row.at("high"), row.at("frame_ms"), row.at("narrow")};
+}
+
+std::string roundsText(const std::vector<Point>& points, const Effort& effort) {
+  const auto wide = std::ranges::count_if(points, [](const Point& p) { return !p.cost.narrow; });
+  if (wide == 0) return "";
+  return gg::say("Of {} of {} settings the cost is known less well: after {} rounds the interval "
+                 "is still wider than {:.0f}% of the whole frame or {:.0f}% of the cost.",
+                 wide, points.size(), effort.rounds, 100 * kNarrow, 100 * kNarrowOfCost);
 }
 
 json pasteOf(const json& setting) {
@@ -210,8 +234,9 @@ json presetsJson(const std::vector<Measured>& all, const std::vector<Findings>& 
 std::string textOf(const Measured& measured, const Findings& findings) {
   const auto line = [&](const std::string& name, std::size_t index) {
     const Point& point = measured.points[index];
-    return fmt::format("  {:<11} {:>9}  {:>8}  {}\n", name, msText(point.ms.median),
-                       errorText(point.error()), settingText(point.setting));
+    return fmt::format("  {:<18} {:>13} of {:>8}  {:>8}  {}\n", name, costText(point.cost),
+                       msText(point.cost.whole), errorText(point.error()),
+                       settingText(point.setting));
   };
   std::string text =
       fmt::format("{}, scene \"{}\": {} settings, {} of them on the front; error: {}\n",
@@ -219,7 +244,9 @@ std::string textOf(const Measured& measured, const Findings& findings) {
                   findings.front.size(), measured.points.at(0).errors.at(0).name);
   for (std::size_t index : findings.front) text += line("", index);
   text += " presets\n";
-  for (const Preset& preset : findings.presets) text += line(preset.name, preset.point);
+  for (const PresetRow& row : presetRows(measured.points, findings.presets))
+    text += fmt::format("  {:<18} {:>13} of {:>8}  {:>8}  {}\n", row.name(), costText(row.cost),
+                        msText(row.cost.whole), errorText(row.error), settingText(row.setting));
   for (const Advice& answer : findings.advice) {
     text += fmt::format(" {}\n", answer.wish);
     if (!answer.point)
@@ -242,7 +269,7 @@ std::string textOf(const std::vector<GrowthRow>& rows) {
     text += fmt::format("{} against {}: exponent {};", row.part, row.series,
                         row.growth ? growthText(*row.growth) : "not to be told");
     for (std::size_t i = 0; i < row.values.size(); ++i)
-      text += fmt::format(" {:.0f}: {}{}", row.values[i], msText(row.ms[i].median),
+      text += fmt::format(" {:.0f}: {}{}", row.values[i], costText(row.costs[i]),
                           i + 1 < row.values.size() ? "," : "\n");
   }
   return text;
@@ -255,7 +282,7 @@ std::string textOf(const std::vector<SavedRow>& rows) {
                         "instead of {}\n",
                         row.name, row.needed.passes, row.against.passes,
                         double(row.needed.bytes) / (1 << 20), double(row.against.bytes) / (1 << 20),
-                        msText(row.needed.ms.median), msText(row.against.ms.median));
+                        msText(row.needed.ms), msText(row.against.ms));
   return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include "tradeoff/analysis.hpp"
 #include "tradeoff/measure.hpp"
+#include "tradeoff/summary.hpp"
 
 namespace ggrade::tradeoff {
 
@@ -49,7 +50,8 @@ struct Findings {
 
 Findings findingsOf(const Measured& measured, const Wishes& wishes);
 
-/// RFC 4180: the table's numbers, ms, q1, q3, and the errors by name.
+/// RFC 4180: the table's numbers; the cost in milliseconds, the ends of its interval, the whole
+/// frame; the errors by name.
 std::string csvOf(const Measured& measured, const Table& table);
 /// The same, and what the scene was.
 json jsonOf(const Measured& measured, const Findings& findings, const Table& table);
@@ -57,6 +59,14 @@ json jsonOf(const Measured& measured, const Findings& findings, const Table& tab
 json jsonOf(const Measured& measured, const Findings& findings);
 json jsonOf(const GrowthRow& row);
 json jsonOf(const SavedRow& row);
+
+/// {"ms", "low", "high", "frame_ms", "narrow"}, and back.
+json jsonOf(const Cost& cost);
+Cost costFrom(const json& row);
+
+/// "2 of 40 settings ...": where the rounds ended before an interval was narrow. Empty if
+/// all are. In the language that was chosen.
+std::string roundsText(const std::vector<Point>& points, const Effort& effort);
 
 /// `{"quality": {...}}`: what to paste into scene.json.
 json pasteOf(const json& setting);

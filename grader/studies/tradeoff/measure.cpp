@@ -1,10 +1,12 @@
 #include "tradeoff/measure.hpp"
 
+#include "grading/drawing.hpp"
 #include "report/picture.hpp"
 #include "report/write_file.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -16,10 +18,12 @@ namespace {
 
 constexpr int kThumbWidth = 240, kThumbHeight = 180; ///< pixels of the page's pictures
 
-/// Every pass, timed; nothing is read back.
+/// Every pass, timed; nothing is read back. A graphics card draws while the processor waits.
 trace::Request timesRequest() {
   trace::Request request{};
-  request.passes = request.times = 1;
+  request.passes = 1;
+  const bool card = grading::drawing().context == "gpu";
+  request.times = std::uint32_t(card ? trace::Times::wall : trace::Times::processor);
   return request;
 }
 
@@ -67,15 +71,23 @@ grading::Rendering Bench::run(const json& scene, const rubric::Moments& times,
   if (machine_.empty()) {
     const grading::Renderer renderer = grading::rendererOf(rendering.capture);
     machine_ = grading::fingerprint(renderer, renderer);
+    const bool wall = timesRequest().times == std::uint32_t(trace::Times::wall);
+    machine_.emplace_back("clock", wall ? "wall" : "processor");
   }
   return rendering;
 }
 
-std::vector<double> Bench::frames(const json& scene, const rubric::Moments& frame) {
+/// The least of a run's frames: what disturbs one (another program, caches) only adds to it.
+double Bench::frameMs(const json& scene, const rubric::Moments& frame) {
   rubric::Moments times = frame;
-  times.shown.resize(
+  // The same frame again and again; by turns with the one before it, so that what moves goes on
+  // moving.
+  times.shown.assign(
       std::min<std::size_t>(kWarmUp + effort_.frames, channel::kMaxFrames - times.before.size()),
       frame.shown.at(0));
+  if (!frame.before.empty())
+    for (std::size_t i = 1; i < times.shown.size(); i += 2)
+      times.shown[i] -= frame.before.back().earlier;
   const trace::Trace trace = run(scene, times, timesRequest()).capture.trace;
   if (trace.passesLost > 0) throw std::runtime_error("more passes than can be recorded");
   std::vector<double> all;
@@ -84,32 +96,30 @@ std::vector<double> Bench::frames(const json& scene, const rubric::Moments& fram
     for (const trace::PassRecord& pass : trace.passesOf(i)) seconds += pass.seconds;
     all.push_back(1000 * seconds);
   }
-  return all;
+  return *std::ranges::min_element(all);
 }
 
-Bench::Timed Bench::time(const std::vector<json>& scenes, const std::vector<std::size_t>& off,
-                         const rubric::Moments& frame, const std::string& what) {
-  Timed timed;
-  timed.costs.resize(scenes.size());
-  std::vector<std::vector<double>> wholes(scenes.size());
-  std::size_t done = 0;
+std::vector<Pairs> Bench::time(const std::vector<Compared>& scenes, const rubric::Moments& frame,
+                               const std::string& what) {
+  std::vector<Pairs> all(scenes.size());
   for (unsigned round = 0; round < effort_.rounds; ++round) {
-    const std::string text =
-        fmt::format("{}: timing, round {} of {}", what, round + 1, effort_.rounds);
-    std::vector<std::vector<double>> now(scenes.size());
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-      progress_(text, done++, scenes.size() * effort_.rounds);
-      const std::size_t index = round % 2 == 0 ? i : scenes.size() - 1 - i;
-      now[index] = frames(scenes[index], frame);
-    }
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-      const double without = spreadOf(now[off[i]]).median;
-      for (double ms : now[i]) timed.costs[i].push_back(ms - without);
-      wholes[i].insert(wholes[i].end(), now[i].begin(), now[i].end());
+    std::vector<std::size_t> left;
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      if (needsMore(all[i])) left.push_back(i);
+    if (left.empty()) break;
+    const bool forth = round % 2 == 0;
+    if (!forth) std::ranges::reverse(left);
+    for (std::size_t done = 0; done < left.size(); ++done) {
+      progress_(fmt::format("{}: timing, round {} of at most {}", what, round + 1, effort_.rounds),
+                done, left.size());
+      const Compared& pair = scenes[left[done]];
+      const double first = frameMs(forth ? pair.with : pair.without, frame);
+      const double second = frameMs(forth ? pair.without : pair.with, frame);
+      all[left[done]].with.push_back(forth ? first : second);
+      all[left[done]].without.push_back(forth ? second : first);
     }
   }
-  for (std::vector<double>& whole : wholes) timed.whole.push_back(spreadOf(std::move(whole)));
-  return timed;
+  return all;
 }
 
 truth::Judgement Bench::judge(const Sweep& sweep, const json& scene) {
@@ -135,7 +145,6 @@ Measured Bench::measure(const Sweep& sweep) {
   const std::string what = sweep.part == sweep.name ? sweep.part : sweep.part + ", " + sweep.name;
   Measured measured{sweep, {}, {}, {}};
   const std::vector<json> settings = allSettings(sweep);
-  // The scene without the part goes last.
   std::vector<json> scenes;
   for (const json& setting : settings) scenes.push_back(withSetting(sweep.scene, setting));
   for (std::size_t i = 0; i < settings.size(); ++i) {
@@ -149,12 +158,15 @@ Measured Bench::measure(const Sweep& sweep) {
     if (measured.truth.empty())
       measured.truth = report::thumbnail(answer.truth, kThumbWidth, kThumbHeight);
   }
-  scenes.push_back(sweep.off);
-  const std::vector<std::size_t> off(scenes.size(), scenes.size() - 1);
-  Timed timed = time(scenes, off, {sweep.before, {sweep.time}}, what);
-  for (std::size_t i = 0; i < settings.size(); ++i)
-    measured.points[i].ms = spreadOf(std::move(timed.costs[i]));
-  measured.offMs = timed.whole.back();
+  std::vector<Compared> compared;
+  for (const json& scene : scenes) compared.push_back({scene, sweep.off});
+  const std::vector<Pairs> timed = time(compared, {sweep.before, {sweep.time}}, what);
+  std::vector<double> off;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    measured.points[i].cost = costOf(timed[i]);
+    off.insert(off.end(), timed[i].without.begin(), timed[i].without.end());
+  }
+  measured.offMs = medianOf(std::move(off));
   return measured;
 }
 
@@ -168,25 +180,21 @@ std::vector<GrowthRow> Bench::growth(const Plan& plan) {
   std::vector<GrowthRow> rows;
   for (const Series& series : plan.growth) {
     for (const PartScenes& part : plan.parts) {
-      // On and off by turns.
-      std::vector<json> scenes;
-      std::vector<std::size_t> off;
+      std::vector<Compared> compared;
       GrowthRow row{part.part, series.name, {}, {}, {}};
       for (const Step& step : series.steps) {
-        for (json scene : {part.on, part.off}) {
-          scene.merge_patch(step.scene);
-          scenes.push_back(std::move(scene));
-          off.push_back(2 * row.values.size() + 1);
-        }
+        Compared pair{part.on, part.off};
+        pair.with.merge_patch(step.scene);
+        pair.without.merge_patch(step.scene);
+        compared.push_back(std::move(pair));
         row.values.push_back(step.value);
       }
-      const Timed timed = time(scenes, off, {0.0}, part.part + " against " + series.name);
-      std::vector<double> medians;
-      for (std::size_t i = 0; i < scenes.size(); i += 2) {
-        row.ms.push_back(spreadOf(timed.costs[i]));
-        medians.push_back(row.ms.back().median);
+      std::vector<double> known; // 0 of a hidden cost, which no line is laid through
+      for (const Pairs& pairs : time(compared, {0.0}, part.part + " against " + series.name)) {
+        row.costs.push_back(costOf(pairs));
+        known.push_back(row.costs.back().hidden() ? 0 : row.costs.back().median);
       }
-      row.growth = growthOf(row.values, medians);
+      row.growth = growthOf(row.values, known);
       rows.push_back(std::move(row));
     }
   }
@@ -194,24 +202,19 @@ std::vector<GrowthRow> Bench::growth(const Plan& plan) {
 }
 
 std::vector<SavedRow> Bench::saved(const Plan& plan) {
-  std::vector<json> scenes;
-  std::vector<std::size_t> off;
-  for (const SavedCase& saved : plan.saved)
-    for (const json& scene : {saved.scene, saved.against}) {
-      off.push_back(scenes.size());
-      scenes.push_back(scene);
-    }
-  const Timed timed = time(scenes, off, {0.0}, "work saved");
+  std::vector<Compared> compared;
+  for (const SavedCase& saved : plan.saved) compared.push_back({saved.against, saved.scene});
+  const std::vector<Pairs> timed = time(compared, {0.0}, "work saved");
   trace::Request request{};
   request.passes = 1;
-  std::vector<Need> needs;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    const trace::Trace trace = run(scenes[i], {0.0}, request).capture.trace;
-    needs.push_back({trace.passesOf(0).size(), trace.frames.at(0).imageBytes, timed.whole[i]});
-  }
+  const auto needOf = [&](const json& scene, const std::vector<double>& ms) {
+    const trace::Trace trace = run(scene, {0.0}, request).capture.trace;
+    return Need{trace.passesOf(0).size(), trace.frames.at(0).imageBytes, medianOf(ms)};
+  };
   std::vector<SavedRow> rows;
   for (std::size_t i = 0; i < plan.saved.size(); ++i)
-    rows.push_back({plan.saved[i].name, needs[2 * i], needs[2 * i + 1]});
+    rows.push_back({plan.saved[i].name, needOf(plan.saved[i].scene, timed[i].without),
+                    needOf(plan.saved[i].against, timed[i].with), costOf(timed[i])});
   return rows;
 }
 

@@ -9,21 +9,22 @@
 
 namespace ggrade::tradeoff {
 
-/// How long is measured. Every round runs every setting once, in the other direction than the round
-/// before, so that a machine that slows down hits all alike.
+/// How long is measured. Every round runs every setting that isn't known well enough (`needsMore`)
+/// and its scene without the part one after the other: the one first in even rounds, the other in
+/// odd ones, and the settings the other way round.
 struct Effort {
-  unsigned rounds = 3;
-  unsigned frames = 8; ///< of a run that are measured, after the first kWarmUp
+  unsigned rounds = 24; ///< at most; at least kLeastPairs
+  unsigned frames = 8;  ///< of a run that are measured, after the first kWarmUp
 };
 
 /// Frames of a run that are not measured: shaders are compiled and textures made in the first.
-inline constexpr unsigned kWarmUp = 3;
+inline constexpr unsigned kWarmUp = 2;
 
 /// A sweep with what was measured in it.
 struct Measured {
   Sweep sweep;
   std::vector<Point> points; ///< one a setting, in the order of allSettings
-  Spread offMs;              ///< milliseconds of a frame without what the part adds
+  double offMs = 0;          ///< milliseconds of a frame without what the part adds
   Image truth;               ///< small; may be empty
 };
 
@@ -31,7 +32,7 @@ struct Measured {
 struct GrowthRow {
   std::string part, series;
   std::vector<double> values;
-  std::vector<Spread> ms;
+  std::vector<Cost> costs;
   std::optional<Growth> growth;
 };
 
@@ -39,13 +40,14 @@ struct GrowthRow {
 struct Need {
   std::size_t passes = 0;
   std::uint64_t bytes = 0; ///< of the textures and renderbuffers that the program holds
-  Spread ms;
+  double ms = 0;
 };
 
 /// What a scene takes, and what it would take.
 struct SavedRow {
   std::string name;
   Need needed, against;
+  Cost saved; ///< what `against` costs more
 };
 
 /// Throws UsageError unless every part that is swept has a truth.
@@ -63,21 +65,17 @@ public:
   std::vector<GrowthRow> growth(const Plan& plan);
   std::vector<SavedRow> saved(const Plan& plan);
 
-  /// What the times depend on: the renderer and its settings.
+  /// What the times depend on: the renderer and its settings, and the clock.
   const std::vector<std::pair<std::string, std::string>>& machine() const { return machine_; }
   const Effort& effort() const { return effort_; }
 
 private:
-  /// Milliseconds of scenes[0], ... in `frame`, less the median of scenes[off[i]] of the same
-  /// round.
-  struct Timed {
-    std::vector<std::vector<double>> costs; ///< by scene, a value a frame of every round
-    std::vector<Spread> whole;              ///< by scene: of the whole frame
+  struct Compared {
+    json with, without; ///< scenes
   };
-  Timed time(const std::vector<json>& scenes, const std::vector<std::size_t>& off,
-             const rubric::Moments& frame, const std::string& what);
-  /// The same frame again and again, after those before it.
-  std::vector<double> frames(const json& scene, const rubric::Moments& frame);
+  std::vector<Pairs> time(const std::vector<Compared>& scenes, const rubric::Moments& frame,
+                          const std::string& what);
+  double frameMs(const json& scene, const rubric::Moments& frame);
   grading::Rendering run(const json& scene, const rubric::Moments& times,
                          const trace::Request& request);
   truth::Judgement judge(const Sweep& sweep, const json& scene);

@@ -7,6 +7,7 @@
 #include "report/text.hpp"
 #include "words/words.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace ggrade::tradeoff {
@@ -30,8 +31,9 @@ std::string errorTick(double value) {
 }
 
 std::string about(const Point& point) {
-  return fmt::format("{}: {}, {} {}", settingText(point.setting), msText(point.ms.median),
-                     point.errors[0].name, errorText(point.error()));
+  return fmt::format("{}: {} of a frame of {}, {} {}", settingText(point.setting),
+                     costText(point.cost), msText(point.cost.whole), point.errors[0].name,
+                     errorText(point.error()));
 }
 
 /// "fast, balanced": the presets that are this point.
@@ -42,13 +44,23 @@ std::string presetsAt(const Findings& findings, std::size_t point) {
   return names;
 }
 
+/// Names the presets that are not on the front: mostly the reference.
+void labelOthers(Chart& chart, const Measured& measured, const Findings& findings, const Axis& x,
+                 const Axis& y) {
+  for (const Preset& preset : findings.presets) {
+    if (std::ranges::find(findings.front, preset.point) != findings.front.end()) continue;
+    const Point& point = measured.points[preset.point];
+    chart.text("label", x.at(point.cost.value()), y.at(point.error()) - 11, "middle", preset.name);
+  }
+}
+
 } // namespace
 
 std::string frontChart(const Measured& measured, const Findings& findings, Labels labels) {
   constexpr Chart::Area kArea{76, 1016, 26, 400};
   std::vector<double> times, errors;
   for (const Point& point : measured.points) {
-    times.push_back(point.ms.median);
+    times.push_back(point.cost.value());
     errors.push_back(point.error());
   }
   const Sweep& sweep = measured.sweep;
@@ -61,15 +73,18 @@ std::string frontChart(const Measured& measured, const Findings& findings, Label
   chart.text("axis", kArea.right, kArea.bottom + 42, "end", kTimeAxis);
   chart.text("axis", 8, 14, "", error);
   for (const Point& point : measured.points)
-    chart.dot("other", x.at(point.ms.median), y.at(point.error()), 4, about(point));
+    chart.dot("other", x.at(point.cost.value()), y.at(point.error()), 4, about(point));
   std::vector<std::pair<double, double>> front;
   for (const std::size_t index : findings.front)
     front.emplace_back(x.at(times[index]), y.at(errors[index]));
   chart.path("front", front);
   std::string description = "The front, fastest first.";
   for (std::size_t i = 0; i < front.size(); ++i) {
-    const std::string text = about(measured.points[findings.front[i]]);
+    const Point& point = measured.points[findings.front[i]];
+    const std::string text = about(point);
     const auto [u, v] = front[i];
+    chart.line("spread", std::max(x.at(point.cost.low), kArea.left),
+               std::min(x.at(point.cost.high), kArea.right), v, v);
     chart.dot("best", u, v, 5.5, text);
     // By turns above and below, so that neighbours' labels don't meet.
     chart.text("label", u, i % 2 == 0 ? v - 11 : v + 21, "middle",
@@ -77,7 +92,9 @@ std::string frontChart(const Measured& measured, const Findings& findings, Label
                                         : presetsAt(findings, findings.front[i]));
     description += fmt::format(" {}: {}.", i + 1, text);
   }
-  return chart.svg("chart", 1040, 460, "chart-" + sweep.part + '-' + sweep.name,
+  if (labels == Labels::presets) labelOthers(chart, measured, findings, x, y);
+  const std::string kind = labels == Labels::places ? "chart-" : "trade-";
+  return chart.svg("chart", 1040, 460, kind + sweep.part + '-' + sweep.name,
                    fmt::format("{}, {}: time against {}", sweep.part, sweep.name, error),
                    description);
 }
@@ -88,7 +105,7 @@ std::string curveChart(const Measured& measured, const Curve& curve, bool cost) 
   const std::string& number = curve.number.name;
   std::vector<double> values;
   for (const std::size_t index : indices)
-    values.push_back(cost ? measured.points[index].ms.median : measured.points[index].error());
+    values.push_back(cost ? measured.points[index].cost.value() : measured.points[index].error());
   const Axis y = Axis::logarithmic(values, kArea.bottom - 8, kArea.top + 8);
   std::vector<std::pair<double, double>> line;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -106,11 +123,11 @@ std::string curveChart(const Measured& measured, const Curve& curve, bool cost) 
     const Point& point = measured.points[indices[i]];
     const auto [u, v] = line[i];
     const std::string value = point.setting.at(number).dump();
-    if (cost) chart.line("spread", u, u, y.at(point.ms.q1), y.at(point.ms.q3));
+    if (cost) chart.line("spread", u, u, y.at(point.cost.low), y.at(point.cost.high));
     chart.dot("best", u, v, 4.5, about(point));
     chart.text("tick", u, kArea.bottom + 18, "middle", value);
     description += fmt::format("{}{}: {}.", i == 0 ? "" : " ", value,
-                               cost ? msText(values[i]) : errorText(values[i]));
+                               cost ? costText(point.cost) : errorText(values[i]));
   }
   return chart.svg("curve", 500, 220, fmt::format("curve-{}-{}", number, cost ? "time" : "error"),
                    fmt::format("{} by {}", what, number), description);
@@ -129,8 +146,12 @@ json pointOf(const Point& point) {
     others.push_back({{"otherName", sanitizeLine(point.errors[i].name)},
                       {"otherValue", errorText(point.errors[i].value)}});
   return {{"setting", sanitizeLine(settingText(point.setting))},
-          {"ms", msText(point.ms.median)},
-          {"spread", fmt::format("{} to {}", msText(point.ms.q1), msText(point.ms.q3))},
+          {"ms", costText(point.cost)},
+          {"spread", point.cost.hidden() ? ""
+                                         : fmt::format("{} to {}", msText(point.cost.low),
+                                                       msText(point.cost.high))},
+          {"wide", !point.cost.narrow},
+          {"whole", msText(point.cost.whole)},
           {"error", errorText(point.error())},
           {"others", std::move(others)},
           {"rendered", pngDataUri(point.rendered)},
@@ -158,7 +179,7 @@ json curveOf(const Measured& measured, const Curve& curve) {
           {"timeCurve", curveChart(measured, curve, true)}};
 }
 
-json sweepOf(const Measured& measured, const Findings& findings) {
+json sweepOf(const Measured& measured, const Findings& findings, const Effort& effort) {
   const Sweep& sweep = measured.sweep;
   const std::vector<Point>& points = measured.points;
   json front = json::array(), presets = json::array(), advice = json::array(),
@@ -168,8 +189,16 @@ json sweepOf(const Measured& measured, const Findings& findings) {
     point["number"] = front.size() + 1;
     front.push_back(std::move(point));
   }
-  for (const Preset& preset : findings.presets)
-    presets.push_back(namedOf(points[preset.point], preset.name, preset.rule));
+  for (const PresetRow& row : presetRows(points, findings.presets)) {
+    std::string rules;
+    std::size_t index = 0;
+    for (const Preset& preset : findings.presets)
+      if (points[preset.point].setting == row.setting) {
+        rules += (rules.empty() ? "" : "; ") + preset.rule;
+        index = preset.point;
+      }
+    presets.push_back(namedOf(points[index], row.name(), rules));
+  }
   for (const Advice& answer : findings.advice)
     advice.push_back(answer.point ? namedOf(points[*answer.point], answer.wish, "")
                                   : json{{"name", sanitizeLine(answer.wish)}, {"found", false}});
@@ -181,10 +210,11 @@ json sweepOf(const Measured& measured, const Findings& findings) {
           {"about", sanitizeLine(sweep.about)},
           {"errorName", sanitizeLine(points.at(0).errors.at(0).name)},
           {"count", points.size()},
-          {"offMs", msText(measured.offMs.median)},
+          {"offMs", msText(measured.offMs)},
           {"size", fmt::format("{}x{}", size[0].dump(), size[1].dump())},
           {"truthPicture", pngDataUri(measured.truth)},
           {"chart", frontChart(measured, findings, Labels::places)},
+          {"roundsNote", roundsText(points, effort)},
           {"front", std::move(front)},
           {"presets", std::move(presets)},
           {"hasAdvice", !findings.advice.empty()},
@@ -195,8 +225,7 @@ json sweepOf(const Measured& measured, const Findings& findings) {
 json growthOf(const GrowthRow& row) {
   std::string costs;
   for (std::size_t i = 0; i < row.values.size(); ++i)
-    costs +=
-        fmt::format("{}{:.0f}: {}", i == 0 ? "" : ", ", row.values[i], msText(row.ms[i].median));
+    costs += fmt::format("{}{:.0f}: {}", i == 0 ? "" : ", ", row.values[i], costText(row.costs[i]));
   return {{"growthPart", sanitizeLine(row.part)},
           {"series", sanitizeLine(row.series)},
           {"costs", sanitizeLine(costs)},
@@ -209,13 +238,32 @@ json savedOf(const SavedRow& row) {
   return {{"savedName", sanitizeLine(row.name)},
           {"passes", fmt::format("{} of {}", needed.passes, against.passes)},
           {"memory", fmt::format("{} of {}", megabytes(needed.bytes), megabytes(against.bytes))},
-          {"frame", fmt::format("{} of {}", msText(needed.ms.median), msText(against.ms.median))}};
+          {"frame", fmt::format("{} of {}", msText(needed.ms), msText(against.ms))},
+          {"saved", costText(row.saved)}};
+}
+
+/// A part's sentence and chart: those of its first scene, which is the handout's.
+json tradesOf(const PageAssignment& assignment) {
+  json trades = json::array();
+  std::string last;
+  for (std::size_t i = 0; i < assignment.measured.size(); ++i) {
+    const Measured& measured = assignment.measured[i];
+    const Findings& findings = assignment.findings[i];
+    if (measured.sweep.part == last) continue;
+    last = measured.sweep.part;
+    trades.push_back(
+        {{"tradePart", sanitizeLine(last)},
+         {"trade", sanitizeLine(tradeText(presetRows(measured.points, findings.presets)))},
+         {"tradeRounds", roundsText(measured.points, assignment.effort)},
+         {"tradeChart", frontChart(measured, findings, Labels::presets)}});
+  }
+  return trades;
 }
 
 json assignmentOf(const PageAssignment& assignment) {
   json sweeps = json::array(), growth = json::array(), saved = json::array();
   for (std::size_t i = 0; i < assignment.measured.size(); ++i)
-    sweeps.push_back(sweepOf(assignment.measured[i], assignment.findings[i]));
+    sweeps.push_back(sweepOf(assignment.measured[i], assignment.findings[i], assignment.effort));
   for (const GrowthRow& row : assignment.growth) growth.push_back(growthOf(row));
   for (const SavedRow& row : assignment.saved) saved.push_back(savedOf(row));
   std::string machine;
@@ -225,13 +273,15 @@ json assignmentOf(const PageAssignment& assignment) {
   return {{"assignmentTitle", sanitizeLine(assignment.title)},
           {"assignmentId", sanitizeLine(assignment.id)},
           {"incomplete", !assignment.complete},
+          {"trades", tradesOf(assignment)},
           {"sweeps", std::move(sweeps)},
           {"hasGrowth", !growth.empty()},
           {"growth", std::move(growth)},
           {"hasSaved", !saved.empty()},
           {"saved", std::move(saved)},
           {"machine", sanitizeLine(machine)},
-          {"effort", fmt::format("{} rounds of {} frames", effort.rounds, effort.frames)}};
+          {"effort", fmt::format("{} to {} pairs of runs a setting, {} frames a run", kLeastPairs,
+                                 effort.rounds, effort.frames)}};
 }
 
 } // namespace
@@ -244,6 +294,9 @@ std::string tradeoffPage(const std::vector<PageAssignment>& assignments) {
                              report::templates::k_tradeoff_css},
                             {{"assignments", std::move(list)},
                              {"warmUp", kWarmUp},
+                             {"narrow", fmt::format("{:.0f}%", 100 * kNarrow)},
+                             {"narrowOfCost", fmt::format("{:.0f}%", 100 * kNarrowOfCost)},
+                             {"sameTime", fmt::format("{:.0f}%", 100 * kSameTime)},
                              {"nearlyShare", fmt::format("{:.0f}%", 100 * kNearlyShare)},
                              {"nearlyAbsolute", fmt::format("{:g}", kNearlyAbsolute)}},
                             "Time against error");

@@ -1,6 +1,8 @@
 // One scenario for each rule of where passes and steps begin and end.
 #include "recorded.hpp"
 
+#include <chrono>
+#include <thread>
 #include <vector>
 
 // Not in the loaded 4.1.
@@ -152,6 +154,15 @@ const Scenarios kScenarios = {
          }
          glFramebufferTexture(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, array, 0);
          clearTo(1, 1, 1, 1);
+       };
+     }},
+    // A pass that takes long, though next to nothing is done in it.
+    {"sleeps",
+     [] {
+       return [](int) {
+         clearTo(0.2F, 0.4F, 0.6F, 1);
+         std::this_thread::sleep_for(std::chrono::milliseconds(200));
+         clearTo(0.6F, 0.4F, 0.2F, 1);
        };
      }},
     {"blit",
