@@ -19,10 +19,10 @@ namespace ggrade::truth {
 struct Rendered {
   nlohmann::json scene;                 ///< the whole scene file
   double time = 0;                      ///< seconds
-  std::vector<rubric::Moment> before{}; ///< frames that were drawn before it
   Image window;                         ///< RGBA, 0 to 1, row 0 on top
   const trace::Trace* trace = nullptr;  ///< its passes with copies of every attachment, frame 0
   nlohmann::json truth = {};            ///< what the truth is told besides, see the part's judge
+  std::vector<rubric::Moment> before{}; ///< frames that were drawn before it
 };
 
 /// How far a picture is from the truth.
