@@ -115,6 +115,7 @@ Texts ofTradeoff(const fs::path& folder) {
     }
   for (const char* kind : {"growth", "saved"})
     for (const json& one : quality.at(kind)) texts.insert(one.at("name"));
+  if (!fs::exists(folder / "tradeoff")) return texts; // nothing is measured yet
   const json figures = readJson(folder / "tradeoff" / "figures.json");
   for (const json& sweep : figures.at("sweeps")) texts.insert(sweep.at("error"));
   return texts;
@@ -276,6 +277,7 @@ TEST(TradeoffWords, LeaveNoEnglishSentenceInAHandout) {
   for (const Assignment& assignment : translated()) {
     const InJapanese japanese;
     addWords(kRoot / "solutions" / assignment.id);
+    if (!fs::exists(kRoot / "solutions" / assignment.id / "tradeoff")) continue;
     const json figures = readJson(kRoot / "solutions" / assignment.id / "tradeoff/figures.json");
     std::string text = tradeoff::handoutText(figures, "");
     for (const Part& part : assignment.parts) text += tradeoff::handoutText(figures, part.id);
