@@ -38,6 +38,7 @@ inline GLuint addGlow(Glow& glow, GLuint color, float decay, const Screen& scree
 //   seconds: that have passed since the last frame, or less than 0 if the clock was put back
 //   constant: seconds after which 1/e is left
 inline float decayAfter(double seconds, double constant) {
+  if (constant == 0) return 0; // it goes out at once
   double decay = 0.9;
   // TODO(afterglow.3): as much in one step of 1/30 s as in two of 1/60 s.
   //   Goal:   e to the power of minus the seconds over the constant; of a clock that was put back,

@@ -53,7 +53,8 @@ Edge edgeOf(Around luma) {
   //   Given:  luma.
   //   Goal:   `horizontal` where luma bends more along columns than along rows: second differences
   //           of the three columns, the middle one twice, against those of the three rows. `across`
-  //           towards the neighbour that differs more; `step` by how much, `middle` the mean of both.
+  //           towards the neighbour that differs more; `step` by how much, `middle` the mean of
+  //           both.
   //   Expect: red and green edges in the picture of how they lie.         (antialias.md, step 2)
   return edge;
 }
@@ -76,8 +77,8 @@ float shiftOf(Around luma, Edge edge) {
   float shift = 0.0;
   vec2 along = edge.horizontal ? vec2(1, 0) : vec2(0, 1);
   End before = search(edge, -along), behind = search(edge, along);
-  // TODO(antialias.3): the nearer the end at which this pixel's side begins to be the other one, the
-  //   more.
+  // TODO(antialias.3): the nearer the end at which this pixel's side begins to be the other one,
+  //   the more.
   //   Given:  `before` and `behind`, the edge's ends; luma.m, edge.middle.
   //   Goal:   1/2 minus the distance of the nearer end as a share of the edge's length; nothing if
   //           luma at that end lies on the same side of edge.middle as luma.m.
@@ -92,7 +93,7 @@ float subpixelShift(Around luma, float contrast) {
   //   Given:  luma, contrast, uSubpixel.
   //   Goal:   the neighbours' mean, sides weighing 2 and corners 1, minus luma.m, as a share of the
   //           contrast, at most 1; smoothed by smoothstep, squared, times uSubpixel.
-  //   Expect: the wires are whole.                                        (antialias.md, step 4)
+  //   Expect: letters and highlights are calmer, wires softer.            (antialias.md, step 4)
   return shift;
 }
 

@@ -35,12 +35,8 @@ float before(float a, float b) {
   return clamp(1.0 - (a - b) / (kSoft * min(a, b)), 0.0, 1.0);
 }
 
-// Of a point that moves by `reach` pixels to either side: how much of it is seen `away` from its
-// middle, and whether it gets there at all.
-float cone(float away, float reach) {
-  return clamp(1.0 - away / reach, 0.0, 1.0);
-}
-float cylinder(float away, float reach) {
+// 1 for what moves by `reach` pixels to either side and gets as far as `away`, else 0.
+float arrives(float away, float reach) {
   return 1.0 - smoothstep(0.95 * reach, 1.05 * reach, away);
 }
 
@@ -52,20 +48,19 @@ void main() {
 
   float own = max(length(halfPath(texelFetch(uVelocity, pixel, 0).xy)), 0.5);
   float depth = distanceAt(pixel);
-  float weights = 1.0 / own;
-  vec3 sum = oColor.rgb * weights;
+  vec3 sum = vec3(0);
   for (int i = 0; i < uSamples; ++i) {
     vec2 offset = path * (2.0 * (float(i) + 0.5) / float(uSamples) - 1.0);
     ivec2 there = ivec2(floor(gl_FragCoord.xy + offset));
     there = clamp(there, ivec2(0), ivec2(size) - 1);
-    if (there == pixel) continue;
     float away = length(offset);
     float reach = max(length(halfPath(texelFetch(uVelocity, there, 0).xy)), 0.5);
     float other = distanceAt(there);
-    float weight = before(other, depth) * cone(away, reach) + before(depth, other) * cone(away, own) +
-                   2.0 * cylinder(away, reach) * cylinder(away, own);
-    sum += weight * texelFetch(uColor, there, 0).rgb;
-    weights += weight;
+    // Each sample stands for a moment. Then what is there had come here, in front; or what is here
+    // had gone so far that one sees what is behind it, which looks as it does there.
+    float seen = before(other, depth) * arrives(away, reach) +
+                 before(depth, other) * arrives(away, own);
+    sum += mix(oColor.rgb, texelFetch(uColor, there, 0).rgb, min(seen, 1.0));
   }
-  oColor.rgb = sum / weights;
+  oColor.rgb = sum / float(uSamples);
 }

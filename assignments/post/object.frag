@@ -23,7 +23,8 @@ layout(location = 1) out vec2 oVelocity; // texture coordinates a frame
 void main() {
   vec3 normal = direction(vNormal);
   // Waves that are narrower than a pixel: their highlights glitter.
-  if (uRipples > 0.0) normal = direction(normal + uRipples * sin(90.0 * vModel.yzx) * sin(61.0 * vModel));
+  if (uRipples > 0.0)
+    normal = direction(normal + uRipples * sin(90.0 * vModel.yzx) * sin(61.0 * vModel));
   Lit lit = blinnPhong(vPosition, normal);
   vec3 pattern = uHasPattern ? texture(uPattern, uRepeat * vUv).rgb : vec3(1);
   vec3 color = pattern * (lit.ambient + lit.diffuse) + lit.specular + uEmission;

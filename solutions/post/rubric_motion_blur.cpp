@@ -11,7 +11,8 @@ GGRADE_ITEM("motion_blur.velocity", moving([](const View& view) {
               const Image& wanted = view.scene.reference.at(0);
               Image rest(wanted.width(), wanted.height(), 3);
               for (float& value : rest.values()) value = 128.0f / 255;
-              const Mask moves = differenceMask(wanted, rest, kLeastChange);
+              const Mask moves = differenceMask(wanted, rest, kLeastChange) |
+                                 differenceMask(view.frames.at(0), rest, kLeastChange);
               return pictured(view, moves, 0.03, 0.5, gg::say("velocities"));
             }));
 
