@@ -46,11 +46,11 @@ GGRADE_ITEM("afterglow.turns", moving([](const View& view) -> Verdict {
             }));
 
 GGRADE_ITEM("afterglow.trail", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.1, 0.8, gg::say("the trail"));
+              return shows(view, {view.scene}, 0.05, 0.2, gg::say("the trail"));
             }));
 
 GGRADE_ITEM("afterglow.seconds", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.05, 0.2, gg::say("the trail"));
+              return shows(view, {view.scene}, 0.04, 0.15, gg::say("the trail"));
             }));
 
 GGRADE_ITEM("afterglow.keep_picture",

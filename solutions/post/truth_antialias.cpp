@@ -39,6 +39,7 @@ struct Pixel {
 
 struct Traced {
   Image wanted;
+  Image blended;             // the mean of displayed values instead of light
   std::vector<Pixel> pixels; // by rows
   const Pixel& at(int x, int y) const {
     return pixels[std::size_t(y) * std::size_t(wanted.width()) + std::size_t(x)];
@@ -71,17 +72,18 @@ Traced trace(const truth::Rendered& rendered) {
   const World world(rendered.scene, rendered.time, width, height);
   const double thick = number(rendered.scene, "/wires/thickness");
   const double unit = height / (2 * glm::length(world.camera().up)); // pixels, at a depth of 1
-  Traced traced{Image(width, height, 3), {}};
+  Traced traced{Image(width, height, 3), Image(width, height, 3), {}};
   std::array<std::array<Sight, kCells>, kCells> cells;
   for (int y = 0; y < height; ++y)
     for (int x = 0; x < width; ++x) {
       Pixel& pixel = traced.pixels.emplace_back();
       pixel.highlight = true;
-      dvec3 sum(0);
+      dvec3 sum(0), shown(0);
       for (int j = 0; j < kCells; ++j)
         for (int i = 0; i < kCells; ++i) {
           const Sight& sight = cells[j][i] = world.through(x + within(i, j), y + within(j, i));
-          sum += toned(sight.light);
+          const dvec3 light = toned(sight.light);
+          sum += light, shown += encoded(light);
           const bool something = sight.thing >= 0;
           if (something && world.kindOf(sight.thing) == Thing::wire)
             pixel.thin |= thick * unit < sight.depth;
@@ -89,6 +91,7 @@ Traced trace(const truth::Rendered& rendered) {
         }
       pixel.angles = angleOf(cells);
       set(traced.wanted, x, y, encoded(sum / double(kCells * kCells)));
+      set(traced.blended, x, y, shown / double(kCells * kCells));
     }
   return traced;
 }
@@ -116,6 +119,8 @@ bool awayFromEdges(const Traced& traced, int x, int y) {
 
 /// Errors, of the picture as displayed (0 to 1), each the mean over the pixels that it names:
 ///   mean error at edges       pixels in which more than one thing or face is seen
+///   at edges, blended as displayed   the same against the mean of the samples' displayed values:
+///                             how well the covered area is found by those who blend such values
 ///   edges up to 10 degrees .. those by the angle between edge and rows
 ///   under a pixel             pixels with a wire that is thinner than they are
 ///   in highlights             pixels that show nothing but the rippled ball
@@ -126,20 +131,24 @@ truth::Judgement judge(const truth::Rendered& rendered) {
   const auto traced = truth::kept<Traced>(rendered, trace);
   const Image before = beforeAntialias(rendered);
   const Image& found = rendered.window;
-  Mean edges, ofAngle[std::size(kAngles)], thin, highlights, damage, all;
+  Mean edges, blended, ofAngle[std::size(kAngles)], thin, highlights, damage, all;
   for (int y = 0; y < found.height(); ++y)
     for (int x = 0; x < found.width(); ++x) {
       const Pixel& pixel = traced->at(x, y);
       const double off = apart(found, traced->wanted, x, y);
       all.add(off);
-      if (pixel.angles >= 0) edges.add(off), ofAngle[pixel.angles].add(off);
+      if (pixel.angles >= 0) {
+        edges.add(off), ofAngle[pixel.angles].add(off);
+        blended.add(apart(found, traced->blended, x, y));
+      }
       if (pixel.thin) thin.add(off);
       if (pixel.highlight) highlights.add(off);
       if (sameSize(before, found) && awayFromEdges(*traced, x, y))
         damage.add(apart(found, before, x, y));
     }
   truth::Judgement answer;
-  answer.errors = {{"mean error at edges", edges.value()}};
+  answer.errors = {{"mean error at edges", edges.value()},
+                   {"at edges, blended as displayed", blended.value()}};
   for (std::size_t i = 0; i < std::size(kAngles); ++i)
     answer.errors.push_back({kAngles[i].name, ofAngle[i].value()});
   answer.errors.push_back({"under a pixel", thin.value()});
