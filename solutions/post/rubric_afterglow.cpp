@@ -50,7 +50,7 @@ GGRADE_ITEM("afterglow.trail", moving([](const View& view) {
             }));
 
 GGRADE_ITEM("afterglow.seconds", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.04, 0.15, gg::say("the trail"));
+              return shows(view, {view.scene}, 0.06, 0.18, gg::say("the trail"));
             }));
 
 GGRADE_ITEM("afterglow.keep_picture",

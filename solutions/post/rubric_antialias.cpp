@@ -34,9 +34,9 @@ Mask decided(const View& view) {
         rows += weight * std::abs(luma(x - 1, y + i) - 2 * luma(x, y + i) + luma(x + 1, y + i));
       }
       const double m = luma(x, y);
-      const double sides =
-          columns >= rows ? std::abs(luma(x, y - 1) - m) - std::abs(luma(x, y + 1) - m)
-                          : std::abs(luma(x - 1, y) - m) - std::abs(luma(x + 1, y) - m);
+      const double sides = columns >= rows
+                               ? std::abs(luma(x, y - 1) - m) - std::abs(luma(x, y + 1) - m)
+                               : std::abs(luma(x - 1, y) - m) - std::abs(luma(x + 1, y) - m);
       if (std::abs(columns - rows) > 8 * kStep && std::abs(sides) > 4 * kStep) mask.set(x, y);
     }
   return mask;

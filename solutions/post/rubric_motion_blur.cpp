@@ -13,23 +13,23 @@ GGRADE_ITEM("motion_blur.velocity", moving([](const View& view) {
               for (float& value : rest.values()) value = 128.0f / 255;
               const Mask moves = differenceMask(wanted, rest, kLeastChange) |
                                  differenceMask(view.frames.at(0), rest, kLeastChange);
-              return pictured(view, moves, 0.03, 0.5, gg::say("velocities"));
+              return pictured(view, moves, 0.02, 0.15, gg::say("velocities"));
             }));
 
 GGRADE_ITEM("motion_blur.camera", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.1, 0.7, gg::say("what the camera blurs"));
+              return shows(view, {view.scene}, 0.06, 0.4, gg::say("what the camera blurs"));
             }));
 
 GGRADE_ITEM("motion_blur.objects", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.1, 0.7, gg::say("what moves"));
+              return shows(view, {view.scene}, 0.06, 0.4, gg::say("what moves"));
             }));
 
 GGRADE_ITEM("motion_blur.picture", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.1, 0.7, gg::say("the whole picture"));
+              return shows(view, {view.scene}, 0.06, 0.4, gg::say("the whole picture"));
             }));
 
 GGRADE_ITEM("motion_blur.neighbours", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.1, 0.5, gg::say("blur beyond the outline"));
+              return shows(view, {view.scene}, 0.05, 0.3, gg::say("blur beyond the outline"));
             }));
 
 /// Nothing moves: every bit must stay.

@@ -28,8 +28,8 @@ Verdict shows(const View& view, const Effect& effect, double free, double gone,
   const Mask region = effect.changed(0);
   if (tooSmall(region)) return {1, gg::say("{}: nothing of it shows here", what)};
   const double off = apart(view, 0, effect);
-  const Mask wrong = differenceMask(view.frames.at(0), effect.with(0), kLeastChange) &
-                     dilate(region, kNear);
+  const Mask wrong =
+      differenceMask(view.frames.at(0), effect.with(0), kLeastChange) & dilate(region, kNear);
   return {qualityBetween(off, free, gone),
           gg::say("{}: the picture is off by {:.0f}% of what it changes{}", what, 100 * off,
                   densestAt(densestWindow(wrong)))};

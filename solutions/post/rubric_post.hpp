@@ -39,7 +39,6 @@ double apart(const View& view, std::size_t frame, const Effect& effect);
 
 /// 1 down to 0 while `apart` rises from `free` to `gone`.
 inline double qualityBetween(double apart, double free, double gone) {
-  if (std::getenv("POST_RAW")) return std::clamp(1 - apart / 2, 0.0, 1.0); // RAW
   return std::clamp((gone - apart) / (gone - free), 0.0, 1.0);
 }
 

@@ -31,7 +31,7 @@ inline constexpr auto kChosen = std::to_array<std::string_view>({
     "shadow_volume_two_passes", "shadow_volume_light_set_once", "shadow_volume_no_caps",
     "ssao_inverse_projection", "ssao_no_blur", "ssao_typed_in_radius",
     "antialias_luma_from_colours", "antialias_texture_gather", "antialias_rows_for_columns",
-    "motion_blur_nearest_samples", "motion_blur_velocity_rgba16f", "motion_blur_no_division",
+    "motion_blur_backwards", "motion_blur_velocity_rgba16f", "motion_blur_no_division",
     "afterglow_blended_by_max", "afterglow_copied_back", "afterglow_mixed",
     // clang-format on
 });
