@@ -118,7 +118,7 @@ TEST_P(PostMotionBlur, TheMostSamplesOfTheBrightestLight) {
   const json white = {65504, 65504, 65504};
   const json all = {{"ambient", white}, {"diffuse", white}, {"specular", white}};
   draw("post",
-       scene({{"size", {48, 36}},
+       scene({{"size", {24, 18}},
               {"quality", {{"samples", 1024}}},
               {"background", white},
               {"light", all},

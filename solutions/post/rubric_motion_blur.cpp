@@ -17,11 +17,11 @@ GGRADE_ITEM("motion_blur.velocity", moving([](const View& view) {
             }));
 
 GGRADE_ITEM("motion_blur.camera", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.06, 0.4, gg::say("what the camera blurs"));
+              return shows(view, {view.scene}, 0.03, 0.25, gg::say("what the camera blurs"));
             }));
 
 GGRADE_ITEM("motion_blur.objects", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.06, 0.4, gg::say("what moves"));
+              return shows(view, {view.scene}, 0.03, 0.25, gg::say("what moves"));
             }));
 
 GGRADE_ITEM("motion_blur.picture", moving([](const View& view) {
@@ -29,7 +29,7 @@ GGRADE_ITEM("motion_blur.picture", moving([](const View& view) {
             }));
 
 GGRADE_ITEM("motion_blur.neighbours", moving([](const View& view) {
-              return shows(view, {view.scene}, 0.05, 0.3, gg::say("blur beyond the outline"));
+              return shows(view, {view.scene}, 0.02, 0.15, gg::say("blur beyond the outline"));
             }));
 
 /// Nothing moves: every bit must stay.
