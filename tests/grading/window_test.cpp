@@ -142,7 +142,7 @@ TEST_F(RunCommand, UnknownIdsListWhatThereIs) {
     EXPECT_EQ(ended.out, "");
     EXPECT_THAT(ended.errors,
                 AllOf(HasSubstr("there is no assignment or part"),
-                      HasSubstr("there are: bloom, deferred, figure, floor, mirror, shadow, ")))
+                      HasSubstr("there are: afterglow, antialias, bloom, deferred, ")))
         << id;
   }
 }
