@@ -14,7 +14,11 @@ constexpr double kMoves = 0.002;
 } // namespace
 
 double qualityOf(double wrongShare, double nothingLeft) {
-  return std::clamp((nothingLeft - wrongShare) / (nothingLeft - kOtherWays), 0.0, 1.0);
+  return qualityOf(wrongShare, kOtherWays, nothingLeft);
+}
+
+double qualityOf(double apart, double free, double gone) {
+  return std::clamp((gone - apart) / (gone - free), 0.0, 1.0);
 }
 
 Mask shown(const Image& probe) {
@@ -53,6 +57,13 @@ bool frozen(const View& view) {
     moves = moves || compare(reference.at(i), reference.at(0)).wrongShare > kMoves;
   }
   return moves;
+}
+
+Judge moving(Judge judge) {
+  return [judge = std::move(judge)](const View& view) -> Verdict {
+    if (frozen(view)) return {0, gg::say("the picture stays as it is, although time passes")};
+    return judge(view);
+  };
 }
 
 bool tooSmall(const Mask& region) {

@@ -20,6 +20,9 @@ inline constexpr double kOtherWays = 0.02;
 /// 1 down to 0 while the wrong share rises from kOtherWays to `nothingLeft`.
 double qualityOf(double wrongShare, double nothingLeft = kNothingLeft);
 
+/// 1 down to 0 while any other measure of what is off rises from `free` to `gone`.
+double qualityOf(double apart, double free, double gone);
+
 /// Pixels that a probe with a black background shows something in.
 Mask shown(const Image& probe);
 
@@ -45,6 +48,9 @@ Verdict within(const View& view, std::size_t frame, const Mask& region, const st
 /// Do all frames show the very same, although the reference's don't? That is a picture, and no
 /// program: nothing of it is worth anything.
 bool frozen(const View& view);
+
+/// An item about the first frame: nothing of it is worth anything if later ones are the same.
+Judge moving(Judge judge);
 
 /// A region so small that a frame can't show the item.
 bool tooSmall(const Mask& region);

@@ -16,11 +16,12 @@ double leastMissing(const View& view) {
   const std::vector<Drawn> wanted = sampledLater(view.scene.referenceTrace);
   const auto scene = std::find_if(wanted.begin(), wanted.end(),
                                   [](const Drawn& drawn) { return drawn.ofObjects; });
+  if (scene == wanted.end()) return 1;
+  const Image light = view.scene.referenceTrace.image(*scene->copy);
   double least = 1;
   for (const Drawn& drawn : sampledLater(view.trace)) {
-    if (drawn.ofObjects || drawn.attachment >= trace::kColors || scene == wanted.end()) continue;
+    if (drawn.ofObjects || drawn.attachment >= trace::kColors) continue;
     const Image found = view.trace.image(*drawn.copy);
-    const Image light = view.scene.referenceTrace.image(*scene->copy);
     if (found.width() != window.width() || found.height() != window.height() ||
         light.width() != found.width() || light.height() != found.height())
       continue;
@@ -38,7 +39,7 @@ GGRADE_ITEM("afterglow.turns", moving([](const View& view) -> Verdict {
               const Verdict picture = shows(view, {view.scene}, 0.1, 0.9, gg::say("the trail"));
               const double missing = leastMissing(view);
               const Verdict texture{
-                  qualityBetween(missing, 0.01, 0.2),
+                  qualityOf(missing, 0.01, 0.2),
                   missing >= 1 ? gg::say("no texture is drawn that holds the frame's light")
                                : gg::say("{:.1f}% of the frame's light is missing from the texture",
                                          100 * missing)};

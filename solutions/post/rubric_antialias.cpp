@@ -11,8 +11,8 @@ namespace {
 Mask edges(const View& view) {
   const Image &wanted = view.scene.reference.at(0), &found = view.frames.at(0);
   const Image nothing(wanted.width(), wanted.height(), 3);
-  constexpr float kFaint = 6.0f / 255;
-  return differenceMask(wanted, nothing, kFaint) | differenceMask(found, nothing, kFaint);
+  return differenceMask(wanted, nothing, kLeastChange) |
+         differenceMask(found, nothing, kLeastChange);
 }
 
 /// Where there is but one answer to how an edge lies. What is as steep along rows as along columns,

@@ -30,7 +30,7 @@ Verdict shows(const View& view, const Effect& effect, double free, double gone,
   const double off = apart(view, 0, effect);
   const Mask wrong =
       differenceMask(view.frames.at(0), effect.with(0), kLeastChange) & dilate(region, kNear);
-  return {qualityBetween(off, free, gone),
+  return {qualityOf(off, free, gone),
           gg::say("{}: the picture is off by {:.0f}% of what it changes{}", what, 100 * off,
                   densestAt(densestWindow(wrong)))};
 }
@@ -41,16 +41,9 @@ Verdict pictured(const View& view, const Mask& region, double free, double gone,
   options.mask = &region;
   options.radius = 0;
   const Comparison found = compare(view.frames.at(0), view.scene.reference.at(0), options);
-  return {qualityBetween(found.wrongShare, free, gone),
+  return {qualityOf(found.wrongShare, free, gone),
           gg::say("{}: {:.1f}% of {} pixels differ{}", what, 100 * found.wrongShare,
                   found.judgedPixels, densestAt(found.densest))};
-}
-
-Judge moving(Judge judge) {
-  return [judge = std::move(judge)](const View& view) -> Verdict {
-    if (frozen(view)) return {0, gg::say("the picture stays as it is, although time passes")};
-    return judge(view);
-  };
 }
 
 Verdict leftAlone(const View& view, std::size_t frame, const Effect& effect) {

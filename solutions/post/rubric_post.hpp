@@ -37,11 +37,6 @@ struct Effect {
 /// scene without it.
 double apart(const View& view, std::size_t frame, const Effect& effect);
 
-/// 1 down to 0 while `apart` rises from `free` to `gone`.
-inline double qualityBetween(double apart, double free, double gone) {
-  return std::clamp((gone - apart) / (gone - free), 0.0, 1.0);
-}
-
 /// The first frame, where the effect shows.
 Verdict shows(const View& view, const Effect& effect, double free, double gone,
               const std::string& what);
@@ -49,9 +44,6 @@ Verdict shows(const View& view, const Effect& effect, double free, double gone,
 /// A picture to look at (edges, velocities), pixel by pixel.
 Verdict pictured(const View& view, const Mask& region, double free, double gone,
                  const std::string& what);
-
-/// An item about the first frame: nothing of it is worth anything if later ones are the same.
-Judge moving(Judge judge);
 
 /// How much of what the effect leaves alone has changed.
 Verdict leftAlone(const View& view, std::size_t frame, const Effect& effect);

@@ -39,14 +39,6 @@ std::string keptOut(double apart) {
                  100 * apart);
 }
 
-/// An item about the first frame: nothing of it is worth anything if later ones are the same.
-Judge moving(Judge judge) {
-  return [judge = std::move(judge)](const View& view) -> Verdict {
-    if (frozen(view)) return {0, gg::say("the picture stays as it is, although time passes")};
-    return judge(view);
-  };
-}
-
 // ---- position, samples, range: the occlusion itself
 
 constexpr double kPointsFree = 0.3, kPointsGone = 0.42;

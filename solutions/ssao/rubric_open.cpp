@@ -117,10 +117,6 @@ double apart(const Image& found, const Image& wanted, const Mask& region) {
   return difference / std::max({keptOut, kLeastKeptOut * count, 1.0});
 }
 
-double qualityOf(double apart, double free, double gone) {
-  return std::clamp((gone - apart) / (gone - free), 0.0, 1.0);
-}
-
 Image shownOpen(const View& view, std::size_t frame) {
   return firstChannels(view.frames.at(frame), 1);
 }

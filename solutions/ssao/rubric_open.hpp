@@ -42,9 +42,6 @@ Image smoothed(const Image& image, const Mask& region, int reach);
 /// `wanted` keeps out. 1 for a picture without any occlusion.
 double apart(const Image& found, const Image& wanted, const Mask& region);
 
-/// 1 up to `free`, 0 from `gone`.
-double qualityOf(double apart, double free, double gone);
-
 /// The frame's occlusion in a scene whose picture it is (debug.picture 3); one channel.
 Image shownOpen(const View& view, std::size_t frame);
 
