@@ -6,8 +6,8 @@
 
 #include <optional>
 
-// How edges are made smooth: quality.antialias.
-enum Method { kFxaa, kSmaa, kMlaa };
+// How edges are made smooth: quality.antialias. The last two are the scene's own (samples.hpp).
+enum Method { kFxaa, kSmaa, kMlaa, kMultisampled, kSupersampled };
 
 // An occlusion query.
 struct QueryTraits {

@@ -197,12 +197,25 @@ protected:
 TEST_F(PostAntialiasTruth, EveryMethodIsBetterThanNone) {
   const truth::Judgement none = with(json::object(), false);
   EXPECT_EQ(value(none, damage), 0);
-  for (const int method : {0, 1, 2}) {
+  for (const int method : {0, 1, 2, 3, 4}) {
     const truth::Judgement one = with({{"antialias", method}});
     EXPECT_LT(value(one, atEdges), 0.9 * value(none, atEdges)) << method;
     EXPECT_LT(value(one, "under a pixel"), 0.9 * value(none, "under a pixel")) << method;
     EXPECT_LT(value(one, damage), 0.01) << method;
   }
+}
+
+TEST_F(PostAntialiasTruth, WhatIsSmallerThanAPixelNeedsSeveralSamples) {
+  look["wires"]["thickness"] = 0.02; // two fifths of a pixel
+  std::vector<double> thin, glitter;
+  for (const int method : {0, 1, 2, 3, 4}) {
+    const truth::Judgement one = with({{"antialias", method}});
+    thin.push_back(value(one, "under a pixel"));
+    glitter.push_back(value(one, "in highlights"));
+  }
+  for (const int afterwards : {0, 1, 2})
+    for (const int several : {3, 4}) EXPECT_LT(thin[several], thin[afterwards]) << afterwards;
+  EXPECT_LT(glitter[4], 0.8 * glitter[3]) << "shading is once a pixel";
 }
 
 TEST_F(PostAntialiasTruth, AnEdgeThatIsNearlyLevelNeedsALongSearch) {

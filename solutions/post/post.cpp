@@ -2,6 +2,7 @@
 //
 // The passes of one frame:
 //   scene         everything, in linear light                      -> a texture
+//   mean          of a pixel's samples, if there are several       -> a texture
 //   velocity      how far everything moved since the last frame    -> a texture
 //   tiles         the fastest velocity of each tile, of its neighbours (if asked for)
 //   motion blur   the picture, blurred along that                  -> a texture
@@ -12,6 +13,7 @@
 #include "afterglow.hpp"
 #include "antialias.hpp"
 #include "motion_blur.hpp"
+#include "samples.hpp"
 #include "world.hpp"
 
 #include <optional>
@@ -32,8 +34,14 @@ void app(const gg::Scene& scene) {
   std::optional<Antialias> antialias;
   if (showsMotion(scene)) motion.emplace();
   if (showsGlow(scene)) glow.emplace();
-  if (scene.flag("effects.antialias"))
-    antialias.emplace(static_cast<Method>(scene.integer("quality.antialias")));
+  std::optional<Samples> samples;
+  if (scene.flag("effects.antialias")) {
+    const auto method = static_cast<Method>(scene.integer("quality.antialias"));
+    if (method == kMultisampled || method == kSupersampled)
+      samples.emplace(method);
+    else
+      antialias.emplace(method);
+  }
 
   const int picture = scene.integer("debug.picture");
   const auto velocity = static_cast<Velocity>(scene.integer("quality.velocity"));
@@ -48,6 +56,7 @@ void app(const gg::Scene& scene) {
     const glm::ivec2 size(window.width(), window.height());
     if (madeFor != size) {
       makeSceneTarget(target, size, ofObjects);
+      if (samples) makeSamples(*samples, size, ofObjects);
       if (motion) makeMotionBlur(*motion, size, velocity, longest);
       if (glow)
         makeGlow(*glow, size, scene.integer("quality.glow_bits") == 8 ? GL_RGBA8 : GL_RGBA16F);
@@ -68,8 +77,9 @@ void app(const gg::Scene& scene) {
     kept = now;
 
     // Pass "scene".
-    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer);
-    glViewport(0, 0, size.x, size.y);
+    glBindFramebuffer(GL_FRAMEBUFFER, samples ? samples->framebuffer : target.framebuffer);
+    const glm::ivec2 drawn = samples ? samples->size : size;
+    glViewport(0, 0, drawn.x, drawn.y);
     const GLfloat background[4] = {scene.background.r, scene.background.g, scene.background.b, 1};
     const GLfloat nothing[4] = {0, 0, 0, 0}, farthest = 1;
     glClearBufferfv(GL_COLOR, 0, background);
@@ -78,6 +88,7 @@ void app(const gg::Scene& scene) {
     glEnable(GL_DEPTH_TEST);
     light.load(scene.light.in(now.view));
     drawWorld(target.program, world, scene, material, kPattern, now, last);
+    if (samples) drawMean(*samples, target, size, ofObjects, screen); // pass "mean"
     glDisable(GL_DEPTH_TEST);
     GLuint color = target.color; // the light so far
 

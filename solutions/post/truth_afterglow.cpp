@@ -46,7 +46,7 @@ Traced trace(const truth::Rendered& rendered) {
 ///   left behind                how much brighter than it should be, where nothing glows any more
 truth::Judgement judge(const truth::Rendered& rendered) {
   const auto traced = truth::kept<Traced>(rendered, trace);
-  Mean glowing, all, left;
+  truth::Mean glowing, all, left;
   for (int y = 0; y < rendered.window.height(); ++y)
     for (int x = 0; x < rendered.window.width(); ++x) {
       const double off = apart(rendered.window, traced->wanted, x, y);

@@ -131,7 +131,7 @@ truth::Judgement judge(const truth::Rendered& rendered) {
   const auto traced = truth::kept<Traced>(rendered, trace);
   const Image before = beforeAntialias(rendered);
   const Image& found = rendered.window;
-  Mean edges, blended, ofAngle[std::size(kAngles)], thin, highlights, damage, all;
+  truth::Mean edges, blended, ofAngle[std::size(kAngles)], thin, highlights, damage, all;
   for (int y = 0; y < found.height(); ++y)
     for (int x = 0; x < found.width(); ++x) {
       const Pixel& pixel = traced->at(x, y);

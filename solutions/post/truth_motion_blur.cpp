@@ -68,7 +68,7 @@ Traced trace(const truth::Rendered& rendered) {
 ///   mean error                        all; textures that are filtered are a part of it
 truth::Judgement judge(const truth::Rendered& rendered) {
   const auto traced = truth::kept<Traced>(rendered, trace);
-  Mean moving, inside, beyond, all;
+  truth::Mean moving, inside, beyond, all;
   std::size_t pixel = 0;
   for (int y = 0; y < rendered.window.height(); ++y)
     for (int x = 0; x < rendered.window.width(); ++x) {

@@ -254,13 +254,4 @@ inline double apart(const Image& a, const Image& b, int x, int y) {
   return sum / 3;
 }
 
-class Mean {
-public:
-  void add(double value) { sum_ += value, ++count_; }
-  double value() const { return count_ > 0 ? sum_ / count_ : 0; }
-
-private:
-  double sum_ = 0, count_ = 0;
-};
-
 } // namespace post_truth

@@ -179,15 +179,6 @@ Traced trace(const truth::Rendered& rendered) {
   return traced;
 }
 
-class Mean {
-public:
-  void add(double value) { sum_ += value, ++count_; }
-  double value() const { return count_ > 0 ? sum_ / count_ : 0; }
-
-private:
-  double sum_ = 0, count_ = 0;
-};
-
 /// Errors, of the occlusion as the window shows it (debug.picture 3), 0 to 1. The first and the
 /// last two are means over pixels whose truth is below 0.9, the others over all surfaces:
 ///   mean error where it is dark  |found - wanted|; a picture of 1 everywhere fails here
@@ -201,7 +192,7 @@ truth::Judgement judge(const truth::Rendered& rendered) {
     throw std::invalid_argument(
         "the occlusion's truth looks at the occlusion: set debug.picture to 3");
   const auto traced = truth::kept<Traced>(rendered, trace);
-  Mean dark, all, tooDark, tooLight, offSeen, notSeen;
+  truth::Mean dark, all, tooDark, tooLight, offSeen, notSeen;
   Image difference(rendered.window.width(), rendered.window.height(), 3);
   for (int y = 0; y < difference.height(); ++y)
     for (int x = 0; x < difference.width(); ++x) {

@@ -37,6 +37,16 @@ struct Judgement {
   Image truth, rendered, difference; ///< for people: RGB(A), 0 to 1; any may be empty
 };
 
+/// Of errors, one a pixel; 0 where there are none.
+class Mean {
+public:
+  void add(double value) { sum_ += value, ++count_; }
+  double value() const { return count_ > 0 ? sum_ / count_ : 0; }
+
+private:
+  double sum_ = 0, count_ = 0;
+};
+
 /// A difference as people can see it: four times as strong. Both RGB, of one size.
 Image shownDifference(const Image& a, const Image& b);
 
