@@ -307,6 +307,28 @@ TEST(TradeoffAdopted, AChartStandsAlone) {
   EXPECT_THAT(svg, Not(HasSubstr("var(--")));
 }
 
+TEST(TradeoffCompare, NamedSettingsStandSideBySide) {
+  Measured measured = sample();
+  // The second isn't on the front; what the first doesn't say doesn't matter to it.
+  measured.sweep.compare = {{"large", {{"size", 256}}}, {"unclipped", {{"clip", 0}, {"size", 64}}}};
+  const Findings findings = findingsOf(measured, {});
+  ASSERT_EQ(findings.compared.size(), 2u);
+  EXPECT_EQ(measured.points[findings.compared[0].point].setting["size"], 256);
+  EXPECT_EQ(measured.points[findings.compared[1].point].setting, json({{"clip", 0}, {"size", 64}}));
+  const json figures = {{"format", kFormat}, {"sweeps", {jsonOf(measured, findings)}}};
+  EXPECT_THAT(handoutText(figures, "mirror"),
+              HasSubstr("| setting | time of this part | RMSE, edges left out | edge \"RMSE\" |\n"
+                        "| --- | ---: | ---: | ---: |\n"
+                        "| large | 16.1 ms | 0.39% | 0.78% |\n"
+                        "| unclipped | 1.00 ms | 11.6% | 3.1% |\n"));
+  PageAssignment page{"floor", "The floor", {measured}, {findings}, {}, {}, {}, {}, false};
+  const std::string html = tradeoffPage({page});
+  EXPECT_THAT(html, HasSubstr("Side by side"));
+  EXPECT_THAT(html, HasSubstr("<th scope=\"row\">unclipped</th>"));
+  page.findings[0].compared.clear();
+  EXPECT_THAT(tradeoffPage({page}), Not(HasSubstr("Side by side")));
+}
+
 TEST(TradeoffPage, ShowsFrontPresetsAndCurves) {
   PageAssignment page{"floor", "The floor",           {sample()}, {},   {},
                       {},      {{"compiler", "c++"}}, {},         false};

@@ -170,6 +170,13 @@ TEST_F(TradeoffPlan, ErrorsNameFileKeyAndValue) {
   EXPECT_EQ(problemOf(text), ": parts.mirror.scenes[0].together: \"blur_samples\" is not one of "
                              "this scene's numbers");
   text = good();
+  scene(text)["compare"] = {{{"name", "large"}, {"setting", {{"mirror_size", 3}}}}};
+  EXPECT_EQ(problemOf(text), ": parts.mirror.scenes[0].compare[0].setting: {\"mirror_size\":3} is "
+                             "not among the settings that are swept");
+  scene(text)["compare"] = {{{"name", "large"}, {"setting", 3}}};
+  EXPECT_EQ(problemOf(text),
+            ": parts.mirror.scenes[0].compare[0].setting: must be an object, but is 3");
+  text = good();
   scene(text)["time"] = -1;
   EXPECT_EQ(problemOf(text), ": parts.mirror.scenes[0].time: must be seconds from 0, but is -1");
   text = good();

@@ -98,6 +98,23 @@ std::string presetTable(const std::vector<PresetRow>& rows, const std::string& e
   return text;
 }
 
+/// Named settings side by side, with every error.
+std::string comparedTable(const json& rows) {
+  std::string text = gg::say("| setting | time of this part |"), line = "\n| --- | ---: |";
+  for (const json& error : rows.at(0).at("errors")) {
+    text += fmt::format(" {} |", inWords(error.at("name")));
+    line += " ---: |";
+  }
+  text += line + '\n';
+  for (const json& row : rows) {
+    text += fmt::format("| {} | {} |", inWords(row.at("name")), costText(costFrom(row)));
+    for (const json& error : row.at("errors"))
+      text += fmt::format(" {} |", errorText(error.at("value")));
+    text += '\n';
+  }
+  return text;
+}
+
 std::string sweepText(const json& sweep, bool old) {
   const std::string part = sweep.at("part"), name = sweep.at("scene_name"),
                     error = sweep.at("error"), errorInWords = inWords(error);
@@ -105,6 +122,8 @@ std::string sweepText(const json& sweep, bool old) {
   std::string text = sceneText(sweep) + "\n\n";
   if (!old) text += tradeText(rows) + "\n\n";
   text += presetTable(rows, errorInWords, old);
+  const json compared = sweep.value("compared", json::array());
+  if (!compared.empty()) text += '\n' + comparedTable(compared);
   const std::string settings = sweep.at("settings").dump();
   text += fmt::format("\n![{}](handout/{})\n\n",
                       gg::say("Time against {} of {} settings", errorInWords, settings),

@@ -71,6 +71,12 @@ Findings findingsOf(const Measured& measured, const Wishes& wishes) {
   Findings findings;
   findings.front = paretoFront(points);
   findings.presets = presetsOf(points, referenceSetting(measured.sweep));
+  for (const Named& named : measured.sweep.compare)
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (holds(points[i].setting, named.setting)) {
+        findings.compared.push_back({named.name, i});
+        break; // what it doesn't say doesn't matter to it
+      }
   if (wishes.budgetMs)
     findings.advice.push_back(
         {"at most " + msText(*wishes.budgetMs), withinBudget(points, *wishes.budgetMs)});
@@ -142,9 +148,17 @@ json jsonOf(const Measured& measured, const Findings& findings, const Table& tab
 }
 
 json jsonOf(const Measured& measured, const Findings& findings) {
-  json front = json::array(), presets = json::object(), advice = json::array(),
-       numbers = json::object();
+  json front = json::array(), compared = json::array(), presets = json::object(),
+       advice = json::array(), numbers = json::object();
   for (std::size_t index : findings.front) front.push_back(rowOf(measured.points[index]));
+  for (const Compared& one : findings.compared) {
+    const Point& point = measured.points[one.point];
+    json row = rowOf(point), errors = json::array(); // in the truth's order
+    for (const truth::Error& error : point.errors)
+      errors.push_back({{"name", error.name}, {"value", error.value}});
+    row.update({{"name", one.name}, {"errors", errors}});
+    compared.push_back(std::move(row));
+  }
   for (const Preset& preset : findings.presets) {
     presets[preset.name] = rowOf(measured.points[preset.point]);
     presets[preset.name]["rule"] = preset.rule;
@@ -171,6 +185,7 @@ json jsonOf(const Measured& measured, const Findings& findings) {
           {"settings", measured.points.size()},
           {"frame_without_ms", measured.offMs},
           {"front", front},
+          {"compared", compared},
           {"presets", presets},
           {"advice", advice},
           {"numbers", numbers}};

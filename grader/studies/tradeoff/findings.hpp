@@ -40,8 +40,15 @@ struct Curve {
   std::optional<Growth> growth; ///< of cost, if the number is an amount
 };
 
+/// A setting that has a name of its own.
+struct Compared {
+  std::string name;
+  std::size_t point = 0;
+};
+
 struct Findings {
   std::vector<std::size_t> front;
+  std::vector<Compared> compared; ///< as the sweep asks for them
   std::vector<Preset> presets;
   std::vector<Advice> advice;
   std::vector<Table> tables; ///< those of the curves first

@@ -182,12 +182,17 @@ json curveOf(const Measured& measured, const Curve& curve) {
 json sweepOf(const Measured& measured, const Findings& findings, const Effort& effort) {
   const Sweep& sweep = measured.sweep;
   const std::vector<Point>& points = measured.points;
-  json front = json::array(), presets = json::array(), advice = json::array(),
-       curves = json::array();
+  json front = json::array(), compared = json::array(), presets = json::array(),
+       advice = json::array(), curves = json::array();
   for (const std::size_t index : findings.front) {
     json point = pointOf(points[index]);
-    point["number"] = front.size() + 1;
+    point["place"] = front.size() + 1;
     front.push_back(std::move(point));
+  }
+  for (const Compared& one : findings.compared) {
+    json point = pointOf(points[one.point]);
+    point["place"] = sanitizeLine(one.name);
+    compared.push_back(std::move(point));
   }
   for (const PresetRow& row : presetRows(points, findings.presets)) {
     std::string rules;
@@ -216,6 +221,8 @@ json sweepOf(const Measured& measured, const Findings& findings, const Effort& e
           {"chart", frontChart(measured, findings, Labels::places)},
           {"roundsNote", roundsText(points, effort)},
           {"front", std::move(front)},
+          {"hasCompared", !findings.compared.empty()},
+          {"compared", std::move(compared)},
           {"presets", std::move(presets)},
           {"hasAdvice", !findings.advice.empty()},
           {"advice", std::move(advice)},

@@ -117,7 +117,7 @@ Sweep readSweep(const Reader& reader, const json& base, const json& off, const j
                 const std::string& part, const std::string& at) {
   reader.checkKeys(read, at,
                    {"name", "about", "time", "before", "scene", "truth", "numbers", "together",
-                    "reference", "notes"});
+                    "reference", "notes", "compare"});
   Sweep sweep;
   sweep.part = part;
   sweep.name = reader.text(read, at, "name");
@@ -159,6 +159,19 @@ Sweep readSweep(const Reader& reader, const json& base, const json& off, const j
       names.push_back(name);
     }
     sweep.together.push_back(names);
+  }
+  for (const json& entry : read.value("compare", json::array())) {
+    const std::string key = fmt::format("{}.compare[{}]", at, sweep.compare.size());
+    reader.checkKeys(entry, key, {"name", "setting"});
+    Named named{reader.text(entry, key, "name"), reader.get(entry, key, "setting")};
+    if (!named.setting.is_object())
+      reader.fail(key + ".setting",
+                  fmt::format("must be an object, but is {}", named.setting.dump()));
+    if (std::ranges::none_of(allSettings(sweep),
+                             [&](const json& setting) { return holds(setting, named.setting); }))
+      reader.fail(key + ".setting",
+                  fmt::format("{} is not among the settings that are swept", named.setting.dump()));
+    sweep.compare.push_back(std::move(named));
   }
   return sweep;
 }
@@ -293,6 +306,11 @@ void keepOnly(Plan& plan, const std::vector<std::string>& only) {
     std::erase_if(sweep.together, [&](const std::vector<std::string>& names) {
       return !std::all_of(names.begin(), names.end(), wanted);
     });
+    std::erase_if(sweep.compare, [&](const Named& named) {
+      const auto settings = allSettings(sweep);
+      return std::ranges::none_of(
+          settings, [&](const json& setting) { return holds(setting, named.setting); });
+    });
   }
   std::erase_if(plan.sweeps, [](const Sweep& sweep) { return sweep.numbers.empty(); });
 }
@@ -332,6 +350,12 @@ std::vector<json> allSettings(const Sweep& sweep) {
   for (const auto& names : sweep.together) add(settingsOf(sweep, names));
   add({referenceSetting(sweep)});
   return all;
+}
+
+bool holds(const json& setting, const json& part) {
+  json both = setting;
+  both.update(part);
+  return both == setting;
 }
 
 json withSetting(json scene, const json& setting) {

@@ -50,6 +50,12 @@ struct Number {
 };
 
 /// One scene of a part, and the numbers that are swept in it.
+/// A setting that has a name of its own, such as a method's.
+struct Named {
+  std::string name;
+  json setting; ///< of some of a sweep's numbers
+};
+
 struct Sweep {
   std::string part, name, about;
   json scene; ///< whole
@@ -61,7 +67,8 @@ struct Sweep {
   std::vector<std::vector<std::string>> together;
   std::string suffix; ///< of its files: ".soft" if an earlier scene sweeps one of its numbers
   json reference =
-      json::object(); ///< the best values of numbers whose last value is not their best
+      json::object();         ///< the best values of numbers whose last value is not their best
+  std::vector<Named> compare; ///< these stand side by side, on the front or not
 };
 
 /// One step of a series along which cost grows.
@@ -114,6 +121,9 @@ std::vector<json> settingsOf(const Sweep& sweep, const std::string& number);
 std::vector<json> settingsOf(const Sweep& sweep, const std::vector<std::string>& together);
 /// All of the sweep, each setting once; the scene's own and the reference among them.
 std::vector<json> allSettings(const Sweep& sweep);
+
+/// Does a setting have all that `part` says?
+bool holds(const json& setting, const json& part);
 
 /// The scene with the setting in its quality numbers.
 json withSetting(json scene, const json& setting);
