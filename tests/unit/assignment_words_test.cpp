@@ -104,6 +104,11 @@ Texts ofCatalogue(const Assignment& assignment, const fs::path& folder) {
   return texts;
 }
 
+/// A name that is the same in every language, such as "SMAA low".
+bool isProper(const std::string& name) {
+  return std::ranges::any_of(name, [](char c) { return c >= 'A' && c <= 'Z'; });
+}
+
 /// What is measured, and what was.
 Texts ofTradeoff(const fs::path& folder) {
   Texts texts;
@@ -117,7 +122,13 @@ Texts ofTradeoff(const fs::path& folder) {
     for (const json& one : quality.at(kind)) texts.insert(one.at("name"));
   if (!fs::exists(folder / "tradeoff")) return texts; // nothing is measured yet
   const json figures = readJson(folder / "tradeoff" / "figures.json");
-  for (const json& sweep : figures.at("sweeps")) texts.insert(sweep.at("error"));
+  for (const json& sweep : figures.at("sweeps")) {
+    texts.insert(sweep.at("error"));
+    for (const json& row : sweep.value("compared", json::array())) {
+      if (const std::string name = row.at("name"); !isProper(name)) texts.insert(name);
+      for (const json& error : row.at("errors")) texts.insert(error.at("name"));
+    }
+  }
   return texts;
 }
 
@@ -285,7 +296,9 @@ TEST(TradeoffWords, LeaveNoEnglishSentenceInAHandout) {
     for (std::string line; std::getline(in, line);) {
       if (line.empty() || line.starts_with("| ---")) continue;
       EXPECT_THAT(line, Not(ContainsRegex("[a-z,]+ [a-z]+ [a-z]+ [a-z]+"))) << assignment.id;
-      const bool names = line.starts_with("| ") && line.find('`') != line.npos; // a preset's row
+      // A preset's row, or that of a setting with a proper name.
+      const bool names = line.starts_with("| ") && (line.find('`') != line.npos ||
+                                                    isProper(line.substr(0, line.find('|', 2))));
       EXPECT_TRUE(names || isJapanese(line)) << assignment.id << ": " << line;
     }
   }
