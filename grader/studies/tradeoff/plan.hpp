@@ -7,7 +7,7 @@
 ///       "parts": {
 ///         "mirror": {
 ///           "off": { "effects": { "mirror": false } },   the scene without what the part adds
-///           first "scenes": [ {
+///           "scenes": [ {
 ///             "name": "sharp", "about": "...", "time": 0.21,
 ///             "before": [0.2],                     frames drawn before, see rubric/moments.hpp
 ///             "scene": { ... },                    merged over scene.json and the part's scene
@@ -15,6 +15,7 @@
 ///             "numbers": { "mirror_size": [64, 128, ...] },   from the least to the most
 ///             "together": [["mirror_size", "mirror_clip"]],
 ///             "reference": { "mirror_clip": 1 },   where the last value is not the best
+///             "compare": [ { "name": "SMAA", "setting": { "antialias": 1 } } ],   side by side
 ///             "notes": { "mirror_clip": "..." }    why the error goes as it does, for the page
 ///           } ]
 ///         }
