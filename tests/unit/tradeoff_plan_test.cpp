@@ -132,8 +132,14 @@ TEST_F(TradeoffPlan, SaysWhatIsBest) {
 }
 
 TEST_F(TradeoffPlan, IsCutDownToTheNumbersAskedFor) {
-  Plan plan = read(good());
+  json text = good();
+  scene(text)["compare"] = {{{"name", "a"}, {"setting", {{"mirror_size", 64}}}},
+                            {{"name", "b"}, {"setting", {{"mirror_clip", 1}}}}};
+  Plan plan = read(text);
+  ASSERT_EQ(plan.sweeps[0].compare.size(), 2u);
   keepOnly(plan, {"mirror_size"});
+  ASSERT_EQ(plan.sweeps[0].compare.size(), 1u);
+  EXPECT_EQ(plan.sweeps[0].compare[0].name, "a");
   ASSERT_EQ(plan.sweeps[0].numbers.size(), 1u);
   EXPECT_TRUE(plan.sweeps[0].together.empty());
   EXPECT_EQ(defaultSetting(plan.sweeps[0]), json({{"mirror_size", 1024}}));

@@ -194,6 +194,12 @@ json sweepOf(const Measured& measured, const Findings& findings, const Effort& e
     point["place"] = sanitizeLine(one.name);
     compared.push_back(std::move(point));
   }
+  json pointTables = json::array();
+  if (!compared.empty())
+    pointTables.push_back(
+        {{"heading", "Side by side"}, {"placeHead", "Name"}, {"rows", std::move(compared)}});
+  pointTables.push_back(
+      {{"heading", "The front"}, {"placeHead", "No."}, {"rows", std::move(front)}});
   for (const PresetRow& row : presetRows(points, findings.presets)) {
     std::string rules;
     std::size_t index = 0;
@@ -220,9 +226,7 @@ json sweepOf(const Measured& measured, const Findings& findings, const Effort& e
           {"truthPicture", pngDataUri(measured.truth)},
           {"chart", frontChart(measured, findings, Labels::places)},
           {"roundsNote", roundsText(points, effort)},
-          {"front", std::move(front)},
-          {"hasCompared", !findings.compared.empty()},
-          {"compared", std::move(compared)},
+          {"pointTables", std::move(pointTables)},
           {"presets", std::move(presets)},
           {"hasAdvice", !findings.advice.empty()},
           {"advice", std::move(advice)},

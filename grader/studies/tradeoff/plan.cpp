@@ -307,9 +307,8 @@ void keepOnly(Plan& plan, const std::vector<std::string>& only) {
       return !std::all_of(names.begin(), names.end(), wanted);
     });
     std::erase_if(sweep.compare, [&](const Named& named) {
-      const auto settings = allSettings(sweep);
-      return std::ranges::none_of(
-          settings, [&](const json& setting) { return holds(setting, named.setting); });
+      return !std::ranges::all_of(named.setting.items(),
+                                  [&](const auto& entry) { return wanted(entry.key()); });
     });
   }
   std::erase_if(plan.sweeps, [](const Sweep& sweep) { return sweep.numbers.empty(); });

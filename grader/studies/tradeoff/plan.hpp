@@ -50,13 +50,13 @@ struct Number {
   bool amount = false; ///< not a choice between kinds: its cost has an exponent
 };
 
-/// One scene of a part, and the numbers that are swept in it.
 /// A setting that has a name of its own, such as a method's.
 struct Named {
   std::string name;
   json setting; ///< of some of a sweep's numbers
 };
 
+/// One scene of a part, and the numbers that are swept in it.
 struct Sweep {
   std::string part, name, about;
   json scene; ///< whole
