@@ -1,5 +1,6 @@
 #include "diagnosis/proved.hpp"
 
+#include "repair/own_value.hpp"
 #include "report/text.hpp"
 #include "words/words.hpp"
 
@@ -86,6 +87,12 @@ bool isToDo(const results::ProvedCause& cause) {
   return !cause.todos.empty() && cause.todos == cause.notBegun;
 }
 
+std::string ownOf(const results::ProvedCause& cause) {
+  if (cause.own == repair::kNoTexture) return say("no texture");
+  if (cause.own == repair::kDrawnInto) return say("what the same pass draws into");
+  return cause.own;
+}
+
 } // namespace
 
 std::string sentenceOf(const std::vector<results::ProvedCause>& all) {
@@ -104,7 +111,7 @@ std::string sentenceOf(const std::vector<results::ProvedCause>& all) {
       });
   const auto named = [&](const results::ProvedCause& cause) {
     const std::string name =
-        cause.own.empty() ? nameOf(cause) : say("{} (yours: {})", nameOf(cause), cause.own);
+        cause.own.empty() ? nameOf(cause) : say("{} (yours: {})", nameOf(cause), ownOf(cause));
     if (together || cause.passes.empty()) return name;
     return cause.passes.size() == 1 ? say("{} in pass {}", name, *cause.passes.begin() + 1)
                                     : say("{} in the passes {}", name, numbersOf(cause.passes));

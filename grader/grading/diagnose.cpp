@@ -222,8 +222,10 @@ Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes
       return other.starts_with("step.") && !areLater(causes, other, part);
     });
     const std::string& next = part.todos.at(stepsDone(cause)).id;
-    // A later step's fault can look so, too.
-    if (std::ranges::any_of(causes, [&](const auto& one) { return one.todos.contains(next); }))
+    // A later step's fault can look so, too, and so can what was begun and shows nothing.
+    if (std::ranges::any_of(causes, [&](const auto& one) {
+          return one.todos.contains(next) && (one.isUnseen || one.notBegun.contains(next));
+        }))
       return inWords(cause, graded, part, catalogue);
   }
   if (!cause.generic && !isProved(cause.id)) {
@@ -265,7 +267,7 @@ Shown shown(std::vector<std::filesystem::path> folders) {
 
 std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
                                    const std::function<Diagnoser&(const Part&)>& diagnoserOf,
-                                   const Agrees& agrees) {
+                                   const Agrees& agrees, const std::set<std::string>& leftOut) {
   const results::Result& result = graded.result;
   const auto observed = diagnosis::outcomeDiagnosis(result, graded.facts);
   if (!report::scored(result.outcome))
@@ -290,7 +292,7 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
     }
     if (!result.causes.empty() && causes.empty()) continue; // another part's fault was seen here
     Diagnoser& diagnoser = diagnoserOf(part);
-    const Cause cause = diagnoser.causeOf(lost, shown(graded.students()));
+    const Cause cause = diagnoser.causeOf(lost, shown(graded.students()), leftOut);
     Diagnosis words = causes.empty()
                           ? inWords(cause, graded, part, diagnoser.catalogue())
                           : withProof(cause, causes, graded, part, diagnoser.catalogue(), agrees);

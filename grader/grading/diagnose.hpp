@@ -17,9 +17,12 @@ using Agrees =
     std::function<bool(const Mistake& mistake, const std::vector<results::ProvedCause>& causes)>;
 
 /// At most one diagnosis a part that lost points, and none where nothing was lost; one for all
-/// where the outcome says it. Throws UsageError for a fault in the catalogue, and Interrupted.
+/// where the outcome says it.
+/// \param leftOut names of mistakes that are not to be known, for measuring
+/// Throws UsageError for a fault in the catalogue, and Interrupted.
 std::vector<results::Diagnosis>
 diagnosesOf(const Target& target, const Graded& graded,
-            const std::function<Diagnoser&(const Part&)>& diagnoserOf, const Agrees& agrees);
+            const std::function<Diagnoser&(const Part&)>& diagnoserOf, const Agrees& agrees,
+            const std::set<std::string>& leftOut);
 
 } // namespace ggrade::grading

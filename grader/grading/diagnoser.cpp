@@ -121,8 +121,7 @@ std::vector<diagnosis::Signature> Diagnoser::signaturesOf(const std::vector<Cand
 }
 
 bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
-                            const std::vector<std::string>& lost, Identified::By by,
-                            const diagnosis::Thresholds& thresholds) {
+                            const std::vector<std::string>& lost) {
   std::vector<Candidate> both;
   for (const std::string& name : {a, b}) {
     if (const Mistake* mistake = catalogue_.mistake(name)) both.push_back(candidateOf(*mistake));
@@ -134,13 +133,12 @@ bool Diagnoser::showTheSame(const std::string& a, const std::string& b,
   Run right;
   for (const std::size_t scene : scenes) right.push_back(reference(scene));
   const auto signatures = signaturesOf(both, scenes);
-  const Likeness like = likeness(signatures[0].run, signatures[1].run, right);
-  return (by == Identified::By::firstPass ? like.first : like.all) >= thresholds.same;
+  return likeness(signatures[0].run, signatures[1].run, right).all >= diagnosis::Thresholds{}.same;
 }
 
 std::optional<Cause> Diagnoser::known(const std::vector<Candidate>& suspects,
                                       const std::vector<std::size_t>& scenes, const Run& student,
-                                      double least, const diagnosis::Thresholds& thresholds) {
+                                      double least) {
   // The scene in which most is wrong: the public one if it can, because it is the same with every
   // seed.
   std::size_t telling = 0;
@@ -173,7 +171,7 @@ std::optional<Cause> Diagnoser::known(const std::vector<Candidate>& suspects,
   }
   if (finalists.empty()) return std::nullopt;
   diagnosis::KnownFaults faults{all, signaturesOf(finalists, scenes)};
-  const auto found = faults.identify(student, thresholds);
+  const auto found = faults.identify(student);
   if (!found) return std::nullopt;
   Cause cause;
   cause.id = faults.signatures[found->signature].name;
@@ -237,8 +235,7 @@ std::optional<Cause> Diagnoser::changed(const std::vector<std::size_t>& scenes, 
 }
 
 Cause Diagnoser::causeOf(const std::vector<std::string>& lost, const Shown& shown,
-                         const std::set<std::string>& leftOut,
-                         const diagnosis::Thresholds& thresholds) {
+                         const std::set<std::string>& leftOut) {
   Cause cause;
   // Scenes that are a change of another tell nothing new, unless only the change is wrong.
   for (const bool changes : {false, true}) {
@@ -257,7 +254,7 @@ Cause Diagnoser::causeOf(const std::vector<std::string>& lost, const Shown& show
       first = diagnosis::firstWrong(student, right, least);
     }
     if (!first) continue;
-    if (auto found = known(suspects(lost, leftOut), scenes, student, least, thresholds))
+    if (auto found = known(suspects(lost, leftOut), scenes, student, least))
       cause = std::move(*found);
     else if (faint)
       continue;

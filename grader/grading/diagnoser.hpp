@@ -46,13 +46,11 @@ public:
   /// \param lost IDs of the part's items that lost points
   /// \param leftOut names of mistakes that are not to be known, for measuring
   Cause causeOf(const std::vector<std::string>& lost, const Shown& shown,
-                const std::set<std::string>& leftOut = {},
-                const diagnosis::Thresholds& thresholds = {});
+                const std::set<std::string>& leftOut = {});
 
   /// Do two mistakes of the catalogue (or "step.3") show the same in every scene of these items?
-  /// `by` says where: in everything, or in the first wrong pass alone.
-  bool showTheSame(const std::string& a, const std::string& b, const std::vector<std::string>& lost,
-                   diagnosis::Identified::By by, const diagnosis::Thresholds& thresholds = {});
+  bool showTheSame(const std::string& a, const std::string& b,
+                   const std::vector<std::string>& lost);
 
   const Catalogue& catalogue() const { return catalogue_; }
   /// Numbers of the scenes of the plan in which these items can be lost.
@@ -69,7 +67,7 @@ private:
                                   const std::set<std::string>& leftOut) const;
   std::optional<Cause> known(const std::vector<Candidate>& suspects,
                              const std::vector<std::size_t>& scenes, const diagnosis::Run& student,
-                             double least, const diagnosis::Thresholds& thresholds);
+                             double least);
   std::optional<Cause> changed(const std::vector<std::size_t>& scenes,
                                const diagnosis::Run& student, const Shown& shown,
                                const std::optional<diagnosis::FirstWrong>& first);

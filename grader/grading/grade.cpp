@@ -471,7 +471,7 @@ void Grader::judge(Graded& graded) {
   if (graded.again) nameUnsteady(graded.scenes[0].rendering, *graded.again, result);
 }
 
-void Grader::diagnose(Graded& graded) {
+void Grader::diagnose(Graded& graded, const std::set<std::string>& leftOut) {
   results::Result& result = graded.result;
   if (!graded.work) { // not built
     if (const auto observed = diagnosis::outcomeDiagnosis(result, {}))
@@ -483,9 +483,12 @@ void Grader::diagnose(Graded& graded) {
   const std::lock_guard lock(diagnosing_);
   try {
     const Agrees agrees = [&](const Mistake& mistake, const auto& causes) {
-      const std::set<repair::Unit>& units = tapes_->unitsOf(mistake.patch);
+      const auto& units = tapes_->unitsOf(mistake.patch);
       return std::ranges::any_of(causes, [&](const results::ProvedCause& cause) {
-        return units.contains({cause.role, cause.unit});
+        const auto same = units.find({cause.role, cause.unit});
+        // A sampler may read something else in several ways.
+        return same != units.end() &&
+               (!cause.unit.starts_with("texture ") || same->second == cause.own);
       });
     };
     const auto diagnoserOf = [&](const Part& part) -> Diagnoser& {
@@ -496,7 +499,7 @@ void Grader::diagnose(Graded& graded) {
                        options_.suspects)
           .first->second;
     };
-    result.diagnoses = diagnosesOf(target_, graded, diagnoserOf, agrees);
+    result.diagnoses = diagnosesOf(target_, graded, diagnoserOf, agrees, leftOut);
   } catch (const UsageError&) {
     // The catalogue is the instructor's; its faults cost nobody a grade.
     results::Diagnosis none;

@@ -101,7 +101,8 @@ public:
   void judge(Graded& graded);
   /// Looks for the likeliest cause of lost points. What known mistakes show is rendered and kept
   /// the first time it is needed.
-  void diagnose(Graded& graded);
+  /// \param leftOut names of mistakes that are not to be known, for measuring
+  void diagnose(Graded& graded, const std::set<std::string>& leftOut = {});
 
   const ScenePlan& plan() const { return plan_; }
   const References& references();

@@ -24,15 +24,15 @@ const Owners& OwnTapes::owners() {
   return *owners_;
 }
 
-const std::set<Unit>& OwnTapes::unitsOf(const fs::path& patch) {
+const std::map<Unit, std::string>& OwnTapes::unitsOf(const fs::path& patch) {
   const std::lock_guard lock(patches_);
   if (const auto known = unitsOf_.find(patch); known != unitsOf_.end()) return known->second;
-  std::set<Unit> units;
+  std::map<Unit, std::string> units;
   try {
     const tape::Tape tape = recordOwn(target_, {solutionFolder_, {patch}}, references_.scenes.at(0),
                                       references_.ownShaders);
     for (const repair::Difference& one : repair::compare(tape, reference(0)).differences)
-      units.insert(one.unit);
+      units.emplace(one.unit, one.own);
   } catch (const NoTape&) {
   }
   return unitsOf_.emplace(patch, std::move(units)).first->second;

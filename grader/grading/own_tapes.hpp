@@ -19,9 +19,9 @@ public:
 
   const Owners& owners();
 
-  /// What the solution with this patch differs in from the solution, in the first scene. Empty, if
-  /// that program has no tape.
-  const std::set<repair::Unit>& unitsOf(const std::filesystem::path& patch);
+  /// What the solution with this patch differs in from the solution, in the first scene, and what
+  /// it has there (see Difference::own). Empty, if that program has no tape.
+  const std::map<repair::Unit, std::string>& unitsOf(const std::filesystem::path& patch);
 
 private:
   const Target& target_;
@@ -30,7 +30,7 @@ private:
   std::mutex mutex_, patches_, learning_;
   std::map<std::size_t, tape::Tape> reference_;
   std::optional<Owners> owners_;
-  std::map<std::filesystem::path, std::set<repair::Unit>> unitsOf_;
+  std::map<std::filesystem::path, std::map<repair::Unit, std::string>> unitsOf_;
 };
 
 } // namespace ggrade::grading

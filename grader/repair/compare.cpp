@@ -349,7 +349,7 @@ private:
           found->second.isAnothers = given_.contains(value);
     for (const auto& [name, all] : theirs.at("textures").items())
       if (own.at("textures").contains(name))
-        compareTextures(name, own["textures"][name], all, at + pointer({"textures", name}));
+        compareTextures(name, own, all, at + pointer({"textures", name}));
   }
 
   /// A matrix but the unit matrix, or a block: no two are equal by chance.
@@ -364,16 +364,20 @@ private:
   }
 
   /// Which textures a sampler reads, and how these are sampled.
-  void compareTextures(const std::string& name, const json& own, const json& theirs,
+  /// \param draw the submission's
+  void compareTextures(const std::string& name, const json& draw, const json& theirs,
                        const std::string& path) {
     const auto imagesOf = [](const json& all) {
       json images = json::array();
       for (const json& one : all) images.push_back({one.at("target"), one.value("image", json())});
       return images;
     };
-    const bool isSame = imagesOf(own) == imagesOf(theirs);
+    const json& own = draw.at("textures").at(name);
     note("texture " + name);
-    if (!isSame) patch("texture " + name, path, theirs);
+    if (imagesOf(own) != imagesOf(theirs)) {
+      patch("texture " + name, path, theirs);
+      own_[{role_, "texture " + name}].insert(ownTexture(own, draw.at("target")));
+    }
     for (std::size_t i = 0; i < std::min(own.size(), theirs.size()); ++i)
       for (const auto& [key, value] : theirs[i].items())
         if (key != "target" && key != "image" && key != "unit")

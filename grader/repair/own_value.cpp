@@ -69,4 +69,14 @@ std::string ownValue(const std::string& unit, const std::string& key, const json
   return {};
 }
 
+std::string ownTexture(const json& textures, const json& target) {
+  if (textures.empty()) return {};
+  const json& one = textures[0];
+  if (!one.contains("image")) return kNoTexture;
+  if (target.contains("window")) return {};
+  for (const auto& [point, attached] : target.at("attachments").items())
+    if (attached.at("image") == one["image"]) return kDrawnInto;
+  return {};
+}
+
 } // namespace ggrade::repair

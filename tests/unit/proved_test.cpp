@@ -1,12 +1,14 @@
 // Proved causes in words.
 
 #include "diagnosis/proved.hpp"
+#include "repair/own_value.hpp"
 
 #include <gmock/gmock.h>
 
 using namespace ggrade;
 using diagnosis::nameOf;
 using diagnosis::sentenceOf;
+using testing::HasSubstr;
 
 namespace {
 
@@ -85,6 +87,14 @@ TEST(Proved, SaysWhatTheSubmissionHas) {
   EXPECT_EQ(sentenceOf({cause}),
             "Proved by drawing it again: with nothing changed but this in pass 1, all is right: "
             "the viewport (yours: 0, 0, 640, 480).");
+}
+
+TEST(Proved, SaysThatNoTextureIsReadOrTheOneThatIsDrawnInto) {
+  results::ProvedCause cause{{0}, "", "texture uGlow", {"afterglow.1"}};
+  cause.own = repair::kNoTexture;
+  EXPECT_THAT(sentenceOf({cause}), HasSubstr("what the sampler uGlow reads (yours: no texture)."));
+  cause.own = repair::kDrawnInto;
+  EXPECT_THAT(sentenceOf({cause}), HasSubstr("(yours: what the same pass draws into)."));
 }
 
 } // namespace

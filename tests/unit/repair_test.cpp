@@ -309,6 +309,28 @@ TEST(Repair, WhichTextureAndHowItIsSampledAreTwoThings) {
               UnorderedElementsAre("1 texture uReflection", "1 sampler uReflection"));
 }
 
+TEST(Repair, OfATextureItIsSaidWhereNoneIsReadOrTheOneThatIsDrawnInto) {
+  tape::Tape right = reference();
+  right.commands[6]["textures"]["uReflection"] = {sampled(0)};
+  tape::Tape submission = right;
+  const auto own = [&] {
+    for (const Difference& one : compare(submission, right).differences)
+      if (one.unit.name == "texture uReflection") return one.own;
+    return std::string("no difference");
+  };
+  submission.commands[6]["textures"]["uReflection"] = {{{"unit", 0}, {"target", 3553}}};
+  EXPECT_EQ(own(), kNoTexture);
+  for (tape::Tape* tape : {&right, &submission}) {
+    *tape = reference();
+    tape->commands.insert(tape->commands.begin() + 1, image(1, 32856));
+  }
+  right.commands[4]["textures"]["uReflection"] = {sampled(1)};
+  submission.commands[4]["textures"]["uReflection"] = {sampled(0)}; // its target
+  EXPECT_EQ(own(), kDrawnInto);
+  std::swap(right, submission);
+  EXPECT_EQ(own(), "") << "another image";
+}
+
 TEST(Repair, ImagesAreNotTakenForTwoOfTheReferences) {
   // Both passes draw into one texture.
   tape::Tape right = reference();

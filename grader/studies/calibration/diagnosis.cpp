@@ -15,7 +15,6 @@ namespace ggrade::calibration {
 
 namespace fs = std::filesystem;
 using grading::Catalogue;
-using grading::Cause;
 using grading::Mistake;
 
 namespace {
@@ -118,58 +117,41 @@ private:
         add({made.mistake->name, made.variant, seed, leftOut, observed->id, 1, Answered::right});
       return;
     }
-    const auto quiet = [](const auto&, auto, auto) {};
-    grading::Diagnoser diagnoser(target_, part_, solutionFolder_, grader.references(), quiet);
-    const grading::Shown shown = grading::shown(graded.students());
     const std::vector<std::string> lost =
         grading::lostItems(result.asDrawn.empty() ? result.items : result.asDrawn, part_);
     if (!report::scored(result.outcome) || lost.empty()) return;
-    grader.diagnose(graded);
-    const results::Diagnosis told =
-        result.diagnoses.empty() ? results::Diagnosis{} : result.diagnoses.front();
-    add({made.mistake->name, made.variant, seed, false, told.id, told.confidence,
-         worth(*made.mistake, told, diagnoser, lost)});
-    // Were it not known, what it resembles would have to do.
-    const Cause answer = diagnoser.causeOf(lost, shown, {made.mistake->name}, options_.thresholds);
-    add({made.mistake->name, made.variant, seed, true, answer.id, answer.confidence,
-         worth(*made.mistake, answer, diagnoser, lost)});
+    const auto quiet = [](const auto&, auto, auto) {};
+    grading::Diagnoser diagnoser(target_, part_, solutionFolder_, grader.references(), quiet);
+    for (const bool leftOut : {false, true}) {
+      // Were it not known, what it resembles and what can be proved would have to do.
+      grader.diagnose(graded, leftOut ? std::set{made.mistake->name} : std::set<std::string>{});
+      const results::Diagnosis told =
+          result.diagnoses.empty() ? results::Diagnosis{} : result.diagnoses.front();
+      add({made.mistake->name, made.variant, seed, leftOut, told.id, told.confidence,
+           worth(*made.mistake, told, diagnoser, lost)});
+    }
   }
 
   /// Of what the report says first.
   Answered worth(const Mistake& mistake, const results::Diagnosis& told,
                  grading::Diagnoser& diagnoser, const std::vector<std::string>& lost) {
+    if (told.id.empty()) return Answered::unknown;
     if (told.id == "proved") {
       // What was right from the start and is left changed is no step's.
       if (told.step.empty()) return Answered::generic;
       return told.step == grading::stepHeading(part_, mistake.step) ? Answered::right
                                                                     : Answered::wrong;
     }
-    if (!told.id.empty() && !told.id.starts_with("step.") && !catalogue_.mistake(told.id))
-      return Answered::generic;
-    Cause answer;
-    answer.id = told.id;
-    return worth(mistake, answer, diagnoser, lost);
-  }
-
-  Answered worth(const Mistake& mistake, const Cause& answer, grading::Diagnoser& diagnoser,
-                 const std::vector<std::string>& lost) {
-    if (answer.id.empty()) return Answered::unknown;
-    if (answer.generic) return Answered::generic;
-    std::vector<std::string> names = answer.alike;
-    names.push_back(answer.id);
-    for (const std::string& name : names)
-      if (sameName(catalogue_, name, mistake.name)) return Answered::right;
+    const bool isStep = told.id.starts_with("step.");
+    if (!isStep && !catalogue_.mistake(told.id)) return Answered::generic;
+    if (sameName(catalogue_, told.id, mistake.name)) return Answered::right;
     // "Step 5 can't be seen yet" is true of a mistake in step 5.
-    if (answer.id.starts_with("step.") &&
-        part_.todos.at(std::stoul(answer.id.substr(5))).id == mistake.step)
+    if (isStep && part_.todos.at(std::stoul(told.id.substr(5))).id == mistake.step)
       return Answered::right;
     // That the picture is still the handed-out one is seen, and true of what can't be seen.
-    if (answer.id == "step.0") return Answered::generic;
-    // What shows the same can't be told apart: with both known they are one diagnosis. Of a first
-    // wrong pass no more is said than what that pass shows.
-    return diagnoser.showTheSame(mistake.name, answer.id, lost, answer.by, options_.thresholds)
-               ? Answered::right
-               : Answered::wrong;
+    if (told.id == "step.0") return Answered::generic;
+    // What shows the same can't be told apart: with both known they are one diagnosis.
+    return diagnoser.showTheSame(mistake.name, told.id, lost) ? Answered::right : Answered::wrong;
   }
 
   void add(DiagnosisCase one) {

@@ -60,7 +60,6 @@ struct DiagnosisOptions {
   std::size_t variants = 2;      ///< programs that each mistake is made in, besides the reference
   std::vector<std::string> only; ///< names of mistakes; empty: all
   unsigned jobs = grading::workers();
-  diagnosis::Thresholds thresholds;
   grading::Progress progress;
 };
 
