@@ -43,7 +43,7 @@ Mask decided(const View& view) {
 }
 
 GGRADE_ITEM("antialias.edges", moving([](const View& view) {
-              return pictured(view, edges(view), 0.07, 0.12, gg::say("the picture of edges"));
+              return pictured(view, edges(view), 0.065, 0.095, gg::say("the picture of edges"));
             }));
 
 GGRADE_ITEM("antialias.directions", moving([](const View& view) {
