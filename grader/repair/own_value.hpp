@@ -16,7 +16,7 @@ namespace ggrade::repair {
 /// Throws nlohmann::json::exception for a value that isn't made as a tape's.
 std::string ownValue(const std::string& unit, const std::string& key, const nlohmann::json& value);
 
-/// What `ownTexture` says, for `nameOf` (proved.hpp) to put into words.
+/// What `ownTexture` says, for `sentenceOf` (proved.hpp) to put into words.
 inline constexpr const char *kNoTexture = "texture 0", *kDrawnInto = "GL_DRAW_FRAMEBUFFER";
 
 /// What a sampler reads where it is no image that another pass made; else empty.
