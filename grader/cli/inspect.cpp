@@ -79,6 +79,7 @@ report::InspectedFrame frameOf(const InspectOptions& options, grading::Rendering
   frame.trace = std::move(capture.trace);
   frame.shadersTimed = !takeTimes(frame.trace);
   frame.time = options.time;
+  frame.framesBefore = !options.before.empty();
   if (!capture.frames.empty()) {
     const channel::CapturedFrame& first = capture.frames.front();
     frame.width = first.width;

@@ -21,8 +21,9 @@ struct InspectedMessage {
 struct InspectedFrame {
   std::string name; ///< what was rendered, such as "mirror, the reference"
   trace::Trace trace;
-  std::size_t frame = 0; ///< index in `trace.frames`; if there are none, all passes are shown
-  double time = 0;       ///< seconds of the program's clock
+  std::size_t frame = 0;     ///< index in `trace.frames`; if there are none, all passes are shown
+  double time = 0;           ///< seconds of the program's clock
+  bool framesBefore = false; ///< did the program draw others first, of which the trace has nothing?
   std::uint32_t width = 0, height = 0; ///< of the window, pixels
   std::uint32_t boundFramebuffer = 0;  ///< at the swap
   bool windowSrgb = false;             ///< GL_FRAMEBUFFER_SRGB was on for the window

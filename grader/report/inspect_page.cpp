@@ -477,6 +477,7 @@ std::string inspectPage(const InspectedFrame& frame, const InspectLimits& limits
                {"milliseconds", milliseconds > 0 ? fmt::format("{:.1f}", milliseconds) : ""},
                {"times", timesOf(film)},
                {"shadersTimed", frame.shadersTimed},
+               {"framesBefore", frame.framesBefore},
                {"renderer", sanitizeLine(frame.renderer)},
                {"imageBytes", whole ? byteWords(bytes.imageBytes) : ""},
                {"bufferBytes", byteWords(bytes.bufferBytes)},

@@ -233,6 +233,16 @@ TEST(InspectPage, HasEveryPassWithItsPicturesStateAndLinks) {
   EXPECT_EQ(occurrences(page, "data:image/png"), 3u + 2u) << "three pictures, two of them on cards";
 }
 
+TEST(InspectPage, WhatNoPassDrewWasUploadedUnlessThereWereFramesBefore) {
+  InspectedFrame frame = samples::frame();
+  for (SampleRecord& sample : frame.trace.samples) sample.writer = kNone;
+  EXPECT_THAT(inspectPage(frame), HasSubstr("<td>no pass: uploaded</td>"));
+  frame.framesBefore = true;
+  EXPECT_THAT(inspectPage(frame),
+              AllOf(HasSubstr("<td>no pass of this frame: uploaded, or drawn before it</td>"),
+                    Not(HasSubstr("no pass: uploaded"))));
+}
+
 TEST(InspectPage, AnAttachmentThatIsNotClearedNamesThePassWhoseValuesItHolds) {
   InspectedFrame frame = samples::frame();
   frame.trace.passes[1].images[0] = frame.trace.passes[0].images[0];
