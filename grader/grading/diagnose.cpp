@@ -65,12 +65,9 @@ void describeStep(const Cause& cause, const results::Result& result, const Part&
   const bool nothing =
       cause.id == "step.0" || std::ranges::find(cause.alike, "step.0") != cause.alike.end();
   if (nothing && earned > 0) {
-    words.text = earned == 1
-                     ? say("Step 1 is right. In the window nothing of this part can be seen "
-                           "yet.")
-                     : say("Steps 1 to {} are right. In the window nothing of this part can "
-                           "be seen yet.",
-                           earned);
+    words.text = earned == 1 ? say("Step 1 is right. What step 2 adds can't be seen yet.")
+                             : say("Steps 1 to {} are right. What step {} adds can't be seen yet.",
+                                   earned, earned + 1);
     if (done > earned) words.text += say(" The first step that shows is step {}.", done + 1);
   } else if (nothing) {
     words.text = say("Your picture is still the one of the handed-out program: nothing of this "
@@ -224,7 +221,8 @@ Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes
     const std::string& next = part.todos.at(stepsDone(cause)).id;
     // A later step's fault can look so, too, and so can what was begun and shows nothing.
     if (std::ranges::any_of(causes, [&](const auto& one) {
-          return one.todos.contains(next) && (one.isUnseen || one.notBegun.contains(next));
+          return one.todos.contains(next) &&
+                 (one.isUnseen || one.notBegun.contains(next) || one.untouched.contains(next));
         }))
       return inWords(cause, graded, part, catalogue);
   }

@@ -369,9 +369,12 @@ private:
       if (left.todos.empty() && repair::isState(left.unit))
         for (ProvedCause& cause : causes)
           if (cause.unit == left.unit) cause.todos.clear();
-    for (ProvedCause& cause : causes)
+    for (ProvedCause& cause : causes) {
       std::ranges::set_intersection(cause.todos, missing_,
                                     std::inserter(cause.notBegun, cause.notBegun.end()));
+      std::ranges::copy_if(cause.todos, std::inserter(cause.untouched, cause.untouched.end()),
+                           [&](const std::string& todo) { return isUntouched(todo); });
+    }
     return causes;
   }
 
@@ -503,15 +506,18 @@ private:
     return true;
   }
 
+  /// Does nothing that is drawn show this step's work?
+  bool isUntouched(const std::string& todo) const {
+    return std::ranges::all_of(scenes_, [&](const TapedScene& scene) {
+      return own_.owners().isUntouched(todo, scene.differences, scene.compared);
+    });
+  }
+
   /// What is seen of a step of which nothing is written is another one's work, or a fault's.
   void takeFromUntouched() {
     for (results::Item& item : items_)
       if (item.kind == results::ItemKind::gain && report::lost(item) > 0 && item.earned > 0 &&
-          missing_.contains(charges_.stepOf(item.id)) &&
-          std::ranges::all_of(scenes_, [&](const TapedScene& scene) {
-            return own_.owners().isUntouched(charges_.stepOf(item.id), scene.differences,
-                                             scene.compared);
-          })) {
+          missing_.contains(charges_.stepOf(item.id)) && isUntouched(charges_.stepOf(item.id))) {
         item.earned = 0;
         for (results::SceneCredit& one : item.credits) one.credit = 0;
       }

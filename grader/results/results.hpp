@@ -142,7 +142,8 @@ struct ProvedCause {
   bool isUnseen = false;        ///< draws that lack: what else belongs to them can't be seen
   /// Of what is nobody's work: the TODOs with a statement that changes it or puts it back.
   std::set<std::string> changedBy{};
-  std::set<std::string> notBegun{}; ///< of `todos` those of whose work nothing is there
+  std::set<std::string> notBegun{};  ///< of `todos` those of whose work nothing is there
+  std::set<std::string> untouched{}; ///< of `todos` those that what is drawn shows nothing of
   std::string own{}; ///< what the submission has there: "0, 0, 640, 480"; empty: not said
 };
 
