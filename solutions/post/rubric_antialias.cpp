@@ -54,7 +54,7 @@ GGRADE_ITEM("antialias.directions", moving([](const View& view) {
 GGRADE_ITEM("antialias.search", moving([](const View& view) {
               // Where there are long edges alone, right ways draw nearly the same.
               const bool alone = view.scene.has("long");
-              return shows(view, {view.scene}, alone ? 0.08 : 0.24, alone ? 0.25 : 0.5,
+              return shows(view, {view.scene}, alone ? 0.08 : 0.15, alone ? 0.25 : 0.3,
                            gg::say("smooth edges"));
             }));
 
