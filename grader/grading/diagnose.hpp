@@ -23,6 +23,6 @@ using Agrees =
 std::vector<results::Diagnosis>
 diagnosesOf(const Target& target, const Graded& graded,
             const std::function<Diagnoser&(const Part&)>& diagnoserOf, const Agrees& agrees,
-            const std::set<std::string>& leftOut);
+            const std::set<std::string>& leftOut = {});
 
 } // namespace ggrade::grading
