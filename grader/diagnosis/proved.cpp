@@ -1,6 +1,5 @@
 #include "diagnosis/proved.hpp"
 
-#include "repair/own_value.hpp"
 #include "report/text.hpp"
 #include "words/words.hpp"
 
@@ -88,8 +87,8 @@ bool isToDo(const results::ProvedCause& cause) {
 }
 
 std::string ownOf(const results::ProvedCause& cause) {
-  if (cause.own == repair::kNoTexture) return say("no texture");
-  if (cause.own == repair::kDrawnInto) return say("what the same pass draws into");
+  if (cause.own == kNoTexture) return say("no texture");
+  if (cause.own == kDrawnInto) return say("what the same pass draws into");
   return cause.own;
 }
 

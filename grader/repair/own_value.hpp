@@ -16,10 +16,8 @@ namespace ggrade::repair {
 /// Throws nlohmann::json::exception for a value that isn't made as a tape's.
 std::string ownValue(const std::string& unit, const std::string& key, const nlohmann::json& value);
 
-/// What `ownTexture` says, for `sentenceOf` (proved.hpp) to put into words.
-inline constexpr const char *kNoTexture = "texture 0", *kDrawnInto = "GL_DRAW_FRAMEBUFFER";
-
-/// What a sampler reads where it is no image that another pass made; else empty.
+/// What a sampler reads where it is no image that another pass made: diagnosis::kNoTexture or
+/// kDrawnInto; else empty.
 /// \param textures of the sampler, as a draw of a tape has them
 /// \param target of that draw
 /// Throws nlohmann::json::exception for what isn't made as a tape's.

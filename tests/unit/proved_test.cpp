@@ -1,7 +1,6 @@
 // Proved causes in words.
 
 #include "diagnosis/proved.hpp"
-#include "repair/own_value.hpp"
 
 #include <gmock/gmock.h>
 
@@ -91,9 +90,9 @@ TEST(Proved, SaysWhatTheSubmissionHas) {
 
 TEST(Proved, SaysThatNoTextureIsReadOrTheOneThatIsDrawnInto) {
   results::ProvedCause cause{{0}, "", "texture uGlow", {"afterglow.1"}};
-  cause.own = repair::kNoTexture;
+  cause.own = diagnosis::kNoTexture;
   EXPECT_THAT(sentenceOf({cause}), HasSubstr("what the sampler uGlow reads (yours: no texture)."));
-  cause.own = repair::kDrawnInto;
+  cause.own = diagnosis::kDrawnInto;
   EXPECT_THAT(sentenceOf({cause}), HasSubstr("(yours: what the same pass draws into)."));
 }
 
