@@ -87,8 +87,8 @@ bool isToDo(const results::ProvedCause& cause) {
 }
 
 std::string ownOf(const results::ProvedCause& cause) {
-  if (cause.own == kNoTexture) return say("no texture");
-  if (cause.own == kDrawnInto) return say("what the same pass draws into");
+  if (cause.own == results::kNoTexture) return say("no texture");
+  if (cause.own == results::kDrawnInto) return say("what the same pass draws into");
   return cause.own;
 }
 

@@ -10,10 +10,6 @@
 
 namespace ggrade::diagnosis {
 
-/// What stands in ProvedCause::own of a texture that isn't what another pass drew: none is read, or
-/// the one that the same pass draws into.
-inline constexpr const char *kNoTexture = "texture 0", *kDrawnInto = "GL_DRAW_FRAMEBUFFER";
-
 /// "the viewport", "the uniform uView", "visibility() in the fragment shader".
 std::string nameOf(const results::ProvedCause& cause);
 

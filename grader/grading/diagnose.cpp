@@ -247,20 +247,21 @@ Diagnosis withProof(Cause cause, const std::vector<results::ProvedCause>& causes
   return words;
 }
 
+/// What lies in a submission's folders of frames and passes, by scene.
+Shown shown(std::vector<std::filesystem::path> folders) {
+  return {[folders](std::size_t scene) { return viewsIn(folders[scene]); },
+          [folders](std::size_t scene) { return framesIn(folders[scene]); }};
+}
+
 } // namespace
 
-std::vector<std::string> lostItems(const std::vector<results::Item>& items, const Part& part) {
+std::vector<std::string> lostItems(const results::Result& result, const Part& part) {
   std::vector<std::string> lost;
-  for (const results::Item& item : items)
+  for (const results::Item& item : result.asDrawn.empty() ? result.items : result.asDrawn)
     if (item.id.starts_with(part.id + '.') && item.judged &&
         item.kind != results::ItemKind::bonus && report::lost(item) > 1e-6)
       lost.push_back(item.id);
   return lost;
-}
-
-Shown shown(std::vector<std::filesystem::path> folders) {
-  return {[folders](std::size_t scene) { return viewsIn(folders[scene]); },
-          [folders](std::size_t scene) { return framesIn(folders[scene]); }};
 }
 
 std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
@@ -272,8 +273,7 @@ std::vector<Diagnosis> diagnosesOf(const Target& target, const Graded& graded,
     return observed ? std::vector{*observed} : std::vector<Diagnosis>{};
   std::vector<Diagnosis> all;
   for (const Part& part : target.parts) {
-    const std::vector<std::string> lost =
-        lostItems(result.asDrawn.empty() ? result.items : result.asDrawn, part);
+    const std::vector<std::string> lost = lostItems(result, part);
     if (lost.empty()) continue;
     // Seen, not concluded: no picture can be surer. That OpenGL reports errors says little.
     const std::vector<results::ProvedCause> causes = causesIn(part, result);

@@ -6,11 +6,8 @@
 
 namespace ggrade::grading {
 
-/// The items of a part that lost points, without the bonus.
-std::vector<std::string> lostItems(const std::vector<results::Item>& items, const Part& part);
-
-/// What lies in a submission's folders of frames and passes, by scene.
-Shown shown(std::vector<std::filesystem::path> folders);
+/// The items of a part that lost points as the submission draws, without the bonus.
+std::vector<std::string> lostItems(const results::Result& result, const Part& part);
 
 /// Does a mistake of the catalogue change one of these things, too?
 using Agrees =

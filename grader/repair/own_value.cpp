@@ -1,6 +1,6 @@
 #include "repair/own_value.hpp"
 
-#include "diagnosis/proved.hpp"
+#include "results/results.hpp"
 #include "trace/trace.hpp"
 
 #include <fmt/format.h>
@@ -73,10 +73,10 @@ std::string ownValue(const std::string& unit, const std::string& key, const json
 std::string ownTexture(const json& textures, const json& target) {
   if (textures.empty()) return {};
   const json& one = textures[0];
-  if (!one.contains("image")) return diagnosis::kNoTexture;
+  if (!one.contains("image")) return results::kNoTexture;
   if (target.contains("window")) return {};
   for (const auto& [point, attached] : target.at("attachments").items())
-    if (attached.at("image") == one["image"]) return diagnosis::kDrawnInto;
+    if (attached.at("image") == one["image"]) return results::kDrawnInto;
   return {};
 }
 

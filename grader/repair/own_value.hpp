@@ -16,7 +16,7 @@ namespace ggrade::repair {
 /// Throws nlohmann::json::exception for a value that isn't made as a tape's.
 std::string ownValue(const std::string& unit, const std::string& key, const nlohmann::json& value);
 
-/// What a sampler reads where it is no image that another pass made: diagnosis::kNoTexture or
+/// What a sampler reads where it is no image that another pass made: results::kNoTexture or
 /// kDrawnInto; else empty.
 /// \param textures of the sampler, as a draw of a tape has them
 /// \param target of that draw

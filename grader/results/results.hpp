@@ -133,6 +133,10 @@ struct Diagnosis {
   std::string id; ///< name in the catalogue, of the outcome or of the change; for the instructor
 };
 
+/// What stands in ProvedCause::own of a texture that isn't what another pass drew: none is read, or
+/// the one that the same pass draws into.
+inline constexpr const char *kNoTexture = "texture 0", *kDrawnInto = "GL_DRAW_FRAMEBUFFER";
+
 /// What was wrong, proved by drawing it again with the reference's in its place.
 struct ProvedCause {
   std::set<std::size_t> passes; ///< of the submission, counted within a frame from 0

@@ -90,9 +90,9 @@ TEST(Proved, SaysWhatTheSubmissionHas) {
 
 TEST(Proved, SaysThatNoTextureIsReadOrTheOneThatIsDrawnInto) {
   results::ProvedCause cause{{0}, "", "texture uGlow", {"afterglow.1"}};
-  cause.own = diagnosis::kNoTexture;
+  cause.own = results::kNoTexture;
   EXPECT_THAT(sentenceOf({cause}), HasSubstr("what the sampler uGlow reads (yours: no texture)."));
-  cause.own = diagnosis::kDrawnInto;
+  cause.own = results::kDrawnInto;
   EXPECT_THAT(sentenceOf({cause}), HasSubstr("(yours: what the same pass draws into)."));
 }
 

@@ -1,10 +1,10 @@
 // What two tapes differ in, and the patches that make one of them as the other.
 
-#include "diagnosis/proved.hpp"
 #include "repair/align.hpp"
 #include "repair/compare.hpp"
 #include "repair/glsl.hpp"
 #include "repair/own_value.hpp"
+#include "results/results.hpp"
 
 #include "../fuzz/sample_tape.hpp"
 
@@ -320,14 +320,14 @@ TEST(Repair, OfATextureItIsSaidWhereNoneIsReadOrTheOneThatIsDrawnInto) {
     return std::string("no difference");
   };
   submission.commands[6]["textures"]["uReflection"] = {{{"unit", 0}, {"target", 3553}}};
-  EXPECT_EQ(own(), diagnosis::kNoTexture);
+  EXPECT_EQ(own(), results::kNoTexture);
   for (tape::Tape* tape : {&right, &submission}) {
     *tape = reference();
     tape->commands.insert(tape->commands.begin() + 1, image(1, 32856));
   }
   right.commands[4]["textures"]["uReflection"] = {sampled(1)};
   submission.commands[4]["textures"]["uReflection"] = {sampled(0)}; // its target
-  EXPECT_EQ(own(), diagnosis::kDrawnInto);
+  EXPECT_EQ(own(), results::kDrawnInto);
   std::swap(right, submission);
   EXPECT_EQ(own(), "") << "another image";
 }

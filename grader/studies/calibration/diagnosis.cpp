@@ -117,8 +117,7 @@ private:
         add({made.mistake->name, made.variant, seed, leftOut, observed->id, 1, Answered::right});
       return;
     }
-    const std::vector<std::string> lost =
-        grading::lostItems(result.asDrawn.empty() ? result.items : result.asDrawn, part_);
+    const std::vector<std::string> lost = grading::lostItems(result, part_);
     if (!report::scored(result.outcome) || lost.empty()) return;
     const auto quiet = [](const auto&, auto, auto) {};
     grading::Diagnoser diagnoser(target_, part_, solutionFolder_, grader.references(), quiet);
